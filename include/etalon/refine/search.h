@@ -1,7 +1,10 @@
 /* search: what the population searches ga, de and pso share: a callback objective, a population, a history, one generation at a time.
  *
- * A search is started, stepped generation by generation, and freed; `x best` is at all times the best seen.  N steps of one generation equal
- * one run of N generations, bit for bit: everything that a generation depends on is in the struct and in the rng.
+ * A search is started, stepped generation by generation, and freed; `best` is at all times the best seen.  N steps of one generation equal
+ * one run of N generations, bit for bit: everything that a generation depends on is in the struct and in the rng.  A search is saved as its
+ * numbers (x0, x, value, best, best_value, generation, evaluations; for pso also velocity, memory, remembered) and the rng as (seed, draws).
+ *
+ * The value of x must be determined by x alone.  Values may be infinite (a penalty), not NaN: a NaN ends the search with ET_EINVAL.
  */
 #ifndef ETALON_REFINE_SEARCH_H
 #define ETALON_REFINE_SEARCH_H
@@ -21,7 +24,7 @@ typedef struct {
     size_t population;                    /* >= 4, default 40 */
     double spread;                        /* start: x0 + U(-spread, spread) per coordinate, default 5e-6 */
     double box;                           /* every coordinate stays within x0 +- box; <= 0: no box.  Default 5e-6 (the source's) */
-    size_t group;                         /* coordinates to a gene (3: a control point), divides n */
+    size_t group;                         /* coordinates to a gene (3: a control point), divides n; default 1 */
     /* ga */
     size_t tournament;                    /* 4 */
     double crossover, swap, mutation;     /* 0.7, 0.5, 0.01 */
@@ -39,25 +42,100 @@ typedef struct {
     et_search_fn fn; void *context;
     double *x0;                           /* n: the centre of start and box */
     double *x, *value;                    /* population*n, population: individuals and their values */
-    double *trial;                        /* workspace of the algorithm */
+    double *trial;                        /* workspace of the algorithm: (population+1)*(n+1), nothing in it outlives a step */
     double *velocity, *memory, *remembered;   /* pso: velocities, personal bests and their values; else null */
     double *best; double best_value;      /* the best seen */
     size_t generation;                    /* generations made */
-    uint64_t evaluations;
+    uint64_t evaluations;                 /* values obtained */
 } et_search;
 
+/* The values of the source's Table 6.1 with the readings of docs/search.md, one coordinate to a gene. */
+/*@ assigns \nothing;
+    ensures population: \result.population == 40;
+    ensures box:        \result.spread == 5e-6 && \result.box == 5e-6 && \result.vmax == 5e-6;
+    ensures gene:       \result.group == 1 && \result.by_coordinate == 0;
+    ensures ga:         \result.tournament == 4 && \result.crossover == 0.7 && \result.swap == 0.5 && \result.mutation == 0.01;
+    ensures de:         \result.F == 0.3 && \result.CR == 0.8;
+    ensures pso:        \result.K == 0.729 && \result.c1 == 2.05 && \result.c2 == 2.05;
+*/
 et_search_options et_search_defaults(void);
 
-/* Allocate, draw the start population around x0, evaluate it.  velocities: 1 for pso. */
+/* Allocate, draw the start population around x0 (one individual after the other, et_search_draw with radius spread, then et_search_clamp) and
+ * evaluate it.  velocities: 1 for pso; they start at 0.  ET_EINVAL: population < 4, n == 0, group 0 or no divisor of n, tournament 0, spread
+ * negative, a probability outside [0, 1], a constant not finite, a null pointer (context may be null), a NaN from fn.  ET_ENOMEM.  fn's own
+ * status.  Whatever fails, *search is as it was. */
+/*@ requires out:    \valid(search);
+    requires x0:     \valid_read(x0 + (0 .. n - 1));
+    requires finite: \forall integer k; 0 <= k < n ==> \is_finite(x0[k]);
+    requires in:     \valid_read(options) && rng != \null;
+    requires apart:  \separated(search, x0 + (0 .. n - 1), options);
+    assigns  *search, *rng;
+    ensures  size:   \result == ET_OK ==> search->n == n && search->options.population == options->population;
+    ensures  start:  \result == ET_OK ==> search->generation == 0 && search->evaluations == options->population;
+    ensures  best:   \result == ET_OK ==> \forall integer i; 0 <= i < options->population ==> search->best_value <= search->value[i];
+    ensures  memory: \result == ET_OK ==> (search->velocity == \null <==> velocities == 0);
+    ensures  same:   \result != ET_OK ==> *search == \old(*search);
+*/
 et_status et_search_start(et_search *search, const double *x0, size_t n, const et_search_options *options, int velocities,
                           et_search_fn fn, void *context, et_rng *rng);
+
+/* Free what et_search_start allocated and zero the struct; a zeroed struct may be freed. */
+/*@ requires search: \valid(search);
+    assigns  *search;
+    ensures  zero:   search->x == \null && search->best == \null && search->velocity == \null && search->n == 0;
+*/
 void et_search_free(et_search *search);
+
+/* x[k] = x0[first + k] + radius (2 U - 1), k < count, U one draw of et_rng_fill each: the only way points are drawn, at the start with radius
+ * spread, by the mutation of ga with radius box (spread without a box).  |x[k] - x0[first + k]| <= radius up to the rounding of the sum. */
+/*@ requires search: \valid_read(search) && rng != \null;
+    requires range:  first + count <= search->n;
+    requires out:    \valid(x + (0 .. count - 1));
+    requires apart:  \separated(x + (0 .. count - 1), search->x0 + (0 .. search->n - 1));
+    requires radius: \is_finite(radius) && radius >= 0;
+    assigns  x[0 .. count - 1], *rng;
+    ensures  drawn:  \forall integer k; 0 <= k < count ==> search->x0[first + k] - radius <= x[k] <= search->x0[first + k] + radius;
+*/
+void et_search_draw(double *x, const et_search *search, size_t first, size_t count, double radius, et_rng *rng);
+
+/* Every coordinate of x into [x0 - box, x0 + box] (the ends rounded as a double subtraction and sum are); without a box nothing. */
+/*@ requires search: \valid_read(search);
+    requires inout:  \valid(x + (0 .. search->n - 1));
+    assigns  x[0 .. search->n - 1];
+    ensures  box:    search->options.box > 0 ==>
+                     \forall integer k; 0 <= k < search->n ==> search->x0[k] - search->options.box <= x[k] <= search->x0[k] + search->options.box;
+    ensures  none:   search->options.box <= 0 ==> \forall integer k; 0 <= k < search->n ==> x[k] == \old(x[k]);
+*/
+void et_search_clamp(double *x, const et_search *search);
+
+/* *value = f(x): counts the evaluation and keeps the best.  Only a strictly smaller value replaces the best: of equals the first stays.  On
+ * failure (fn's status; ET_EINVAL for NaN) nothing changes. */
+/*@ requires out:    \valid(value) && \valid(search);
+    requires x:      \valid_read(x + (0 .. search->n - 1));
+    requires apart:  \separated(value, x + (0 .. search->n - 1), search->best + (0 .. search->n - 1), search);
+    assigns  *value, search->best[0 .. search->n - 1], search->best_value, search->evaluations;
+    ensures  count:  \result == ET_OK ==> search->evaluations == \old(search->evaluations) + 1;
+    ensures  best:   \result == ET_OK ==> search->best_value <= *value;
+    ensures  same:   \result != ET_OK ==> search->evaluations == \old(search->evaluations) && search->best_value == \old(search->best_value);
+*/
+et_status et_search_eval(double *value, et_search *search, const double *x);
 
 /* One generation of an algorithm: et_ga_step, et_de_step, et_pso_step have this type. */
 typedef et_status (*et_search_step)(et_search *search, et_rng *rng);
 
-/* generations steps; history[g] = best value after step g (generations numbers, may be null); task is told after each.
- * ET_ESTOPPED leaves the best so far in search and the rest of history unset; *made tells how many steps were made. */
+/* generations steps; history[g] = best value after step g (generations numbers, may be null); task is told (g + 1, generations) after each.
+ * ET_ESTOPPED (or whatever else task or step returns) leaves the best so far in search and the rest of history unset; *made tells how many
+ * steps were made, search->generation how many since the start.  After a failing objective the best, its value, the count of evaluations and
+ * the values of the population hold; a search stepped on from there is not on the path of an unbroken run. */
+/*@ requires search:  \valid(search) && \valid(made) && step != \null && rng != \null;
+    requires history: history == \null || \valid(history + (0 .. generations - 1));
+    requires task:    task == \null || \valid_read(task);
+    requires apart:   \separated(search, made, history + (0 .. generations - 1));
+    assigns  *search, *made, history[0 .. generations - 1], *rng;
+    ensures  made:    *made <= generations && (\result == ET_OK ==> *made == generations);
+    ensures  falling: history != \null ==> \forall integer g; 0 < g < *made ==> history[g] <= history[g - 1];
+    ensures  last:    history != \null && \result == ET_OK && generations > 0 ==> history[generations - 1] == search->best_value;
+*/
 et_status et_search_run(et_search *search, size_t *made, double *history, size_t generations, et_search_step step, et_rng *rng, const et_task *task);
 
 #ifdef __cplusplus

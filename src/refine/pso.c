@@ -1,0 +1,53 @@
+#include "etalon/refine/pso.h"
+#include <string.h>
+
+typedef struct { double K, c1, c2; } coefficients;
+
+/* v = K (v + c1 r1 (own - x) + c2 r2 (all - x)), r1 = r[0..n-1], r2 = r[n..2n-1] */
+static void accelerate(double *restrict v, const double *restrict x, const double *restrict own, const double *restrict all, const double *restrict r,
+                       coefficients c, size_t n)
+{
+    for (size_t k = 0; k < n; k++) v[k] = c.K * ((v[k] + c.c1 * r[k] * (own[k] - x[k])) + c.c2 * r[n + k] * (all[k] - x[k]));
+}
+
+static void limit(double *v, double vmax, size_t n)
+{
+    if (!(vmax > 0.0)) return;
+    for (size_t k = 0; k < n; k++) {
+        const double w = v[k] < -vmax ? -vmax : v[k];
+        v[k] = w > vmax ? vmax : w;
+    }
+}
+
+static void settle(et_search *s, size_t i, const double *y, double value)
+{
+    const size_t n = s->n;
+    memcpy(s->x + i * n, y, n * sizeof *y);
+    s->value[i] = value;
+    if (!(value < s->remembered[i])) return;
+    memcpy(s->memory + i * n, y, n * sizeof *y);
+    s->remembered[i] = value;
+}
+
+et_status et_pso_step(et_search *search, et_rng *rng)
+{
+    if (!search->velocity) return ET_EINVAL;
+    const et_search_options *o = &search->options;
+    const coefficients c = { o->K, o->c1, o->c2 };
+    const size_t n = search->n;
+    double *all = search->trial, *y = all + n, *r = y + n;
+    memcpy(all, search->best, n * sizeof *all);       /* the whole swarm moves by the best of the generation before */
+    for (size_t i = 0; i < o->population; i++) {
+        double *x = search->x + i * n, *v = search->velocity + i * n, value = 0.0;
+        et_rng_fill(r, 2 * n, rng);
+        accelerate(v, x, search->memory + i * n, all, r, c, n);
+        limit(v, o->vmax, n);
+        for (size_t k = 0; k < n; k++) y[k] = x[k] + v[k];
+        et_search_clamp(y, search);
+        const et_status status = et_search_eval(&value, search, y);
+        if (status != ET_OK) return status;
+        settle(search, i, y, value);
+    }
+    search->generation++;
+    return ET_OK;
+}

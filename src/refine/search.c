@@ -1,0 +1,144 @@
+#include "etalon/refine/search.h"
+#include "etalon/base/size.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+et_search_options et_search_defaults(void)
+{
+    et_search_options o = { .population = 40, .spread = 5e-6, .box = 5e-6, .group = 1,
+                            .tournament = 4, .crossover = 0.7, .swap = 0.5, .mutation = 0.01,
+                            .F = 0.3, .CR = 0.8, .by_coordinate = 0,
+                            .K = 0.729, .c1 = 2.05, .c2 = 2.05, .vmax = 5e-6 };
+    return o;
+}
+
+static int is_probability(double p)
+{
+    return p >= 0.0 && p <= 1.0;          /* false for NaN */
+}
+
+static int options_valid(const et_search_options *o, size_t n)
+{
+    return o->population >= 4 && n >= 1 && o->group >= 1 && n % o->group == 0 && o->tournament >= 1
+        && o->spread >= 0.0 && isfinite(o->spread) && isfinite(o->box)
+        && is_probability(o->crossover) && is_probability(o->swap) && is_probability(o->mutation) && is_probability(o->CR)
+        && isfinite(o->F) && isfinite(o->K) && isfinite(o->c1) && isfinite(o->c2) && isfinite(o->vmax);
+}
+
+void et_search_free(et_search *search)
+{
+    free(search->x0);
+    free(search->x);
+    free(search->value);
+    free(search->trial);
+    free(search->velocity);
+    free(search->memory);
+    free(search->remembered);
+    free(search->best);
+    memset(search, 0, sizeof *search);
+}
+
+static et_status search_allocate(et_search *s, size_t n, size_t population, int velocities)
+{
+    size_t cells = 0;
+    if (et_size_mul(&cells, population + 1, n + 1) != ET_OK || population == SIZE_MAX || n == SIZE_MAX) return ET_ENOMEM;
+    s->x0 = et_size_array(n, sizeof(double));
+    s->x = et_size_array(population * n, sizeof(double));
+    s->value = et_size_array(population, sizeof(double));
+    s->trial = et_size_array(cells, sizeof(double));
+    s->best = et_size_array(n, sizeof(double));
+    int ok = s->x0 && s->x && s->value && s->trial && s->best;
+    if (velocities) {
+        s->velocity = et_size_array(population * n, sizeof(double));
+        s->memory = et_size_array(population * n, sizeof(double));
+        s->remembered = et_size_array(population, sizeof(double));
+        ok = ok && s->velocity && s->memory && s->remembered;
+    }
+    return ok ? ET_OK : ET_ENOMEM;
+}
+
+void et_search_draw(double *x, const et_search *search, size_t first, size_t count, double radius, et_rng *rng)
+{
+    et_rng_fill(x, count, rng);
+    for (size_t k = 0; k < count; k++) x[k] = search->x0[first + k] + radius * (2.0 * x[k] - 1.0);
+}
+
+void et_search_clamp(double *x, const et_search *search)
+{
+    const double box = search->options.box;
+    const double *x0 = search->x0;
+    if (!(box > 0.0)) return;
+    for (size_t k = 0; k < search->n; k++) {
+        const double lo = x0[k] - box, hi = x0[k] + box, y = x[k] < lo ? lo : x[k];
+        x[k] = y > hi ? hi : y;
+    }
+}
+
+et_status et_search_eval(double *value, et_search *search, const double *x)
+{
+    double v = 0.0;
+    const et_status status = search->fn(&v, x, search->n, search->context);
+    if (status != ET_OK) return status;
+    if (isnan(v)) return ET_EINVAL;       /* an order must exist, or no best does */
+    if (search->evaluations == 0 || v < search->best_value) {
+        memcpy(search->best, x, search->n * sizeof *x);
+        search->best_value = v;
+    }
+    search->evaluations++;
+    *value = v;
+    return ET_OK;
+}
+
+static et_status population_draw(et_search *s, et_rng *rng)
+{
+    const size_t n = s->n;
+    for (size_t i = 0; i < s->options.population; i++) {
+        et_search_draw(s->x + i * n, s, 0, n, s->options.spread, rng);
+        et_search_clamp(s->x + i * n, s);
+        const et_status status = et_search_eval(&s->value[i], s, s->x + i * n);
+        if (status != ET_OK) return status;
+    }
+    if (s->memory) {
+        memcpy(s->memory, s->x, s->options.population * n * sizeof(double));
+        memcpy(s->remembered, s->value, s->options.population * sizeof(double));
+    }
+    return ET_OK;
+}
+
+et_status et_search_start(et_search *search, const double *x0, size_t n, const et_search_options *options, int velocities,
+                          et_search_fn fn, void *context, et_rng *rng)
+{
+    if (!search || !x0 || !options || !fn || !rng || !options_valid(options, n)) return ET_EINVAL;
+    et_search s;
+    memset(&s, 0, sizeof s);
+    s.options = *options;
+    s.n = n;
+    s.fn = fn;
+    s.context = context;
+    et_status status = search_allocate(&s, n, options->population, velocities);
+    if (status == ET_OK) {
+        memcpy(s.x0, x0, n * sizeof *x0);
+        status = population_draw(&s, rng);
+    }
+    if (status != ET_OK) {
+        et_search_free(&s);
+        return status;
+    }
+    *search = s;
+    return ET_OK;
+}
+
+et_status et_search_run(et_search *search, size_t *made, double *history, size_t generations, et_search_step step, et_rng *rng, const et_task *task)
+{
+    *made = 0;
+    for (size_t g = 0; g < generations; g++) {
+        et_status status = step(search, rng);
+        if (status != ET_OK) return status;
+        if (history) history[g] = search->best_value;
+        *made = g + 1;
+        status = et_task_step(task, g + 1, generations);
+        if (status != ET_OK) return status;
+    }
+    return ET_OK;
+}
