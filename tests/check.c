@@ -1,0 +1,404 @@
+/* check: runs the properties and the golden rows, each group in a process of its own.
+ *
+ * check [-v] [-n RUNS] [-s SEED] [NAME | MODULE ...]   random cases (ET_RUNS, ET_SEED: the same by environment)
+ * check --replay FILE...                               one case per file; the property is the file's name up to the first '.'
+ * check --shrink FILE...                               the same, and a failing one is shrunk to NAME.fail
+ * check --golden FILE...                               rows of golden/MODULE.tsv
+ * check --list                                         the names of the properties
+ */
+#include "rows.h"
+#include "shrink.h"
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { RUNS = 1000, SECONDS = 240, SHRINK_CALLS = 100000, PATH = 1024 };
+
+/* Shared by parent and child: what a crash leaves behind. */
+typedef struct {
+    gen g;
+    shrinker s;
+    verdict result;
+    bool done;
+    size_t runs, skipped, passed, failed;
+} board;
+
+typedef struct { const property *p; board *b; uint64_t seed; size_t runs; const uint8_t *bytes; size_t nbytes; const char *path; } job;
+
+static board *shared;
+static bool verbose;
+static size_t passed, failed;
+static char program_dir[PATH];
+
+static board *share(size_t size)
+{
+    FILE *f = tmpfile();
+    void *m;
+
+    if (!f || ftruncate(fileno(f), (off_t)size) != 0)
+        return NULL;
+    m = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED, fileno(f), 0);
+    fclose(f);
+    return m == MAP_FAILED ? NULL : m;
+}
+
+/* Do the work in a child; its wait status. A child that ends well has set done. */
+static int apart(void (*work)(job *j), job *j, unsigned seconds)
+{
+    int status = -1;
+    pid_t child;
+
+    j->b->done = false;
+    fflush(stdout);
+    child = fork();
+    if (child == 0) {
+        alarm(seconds);
+        work(j);
+        j->b->done = true;
+        exit(0);
+    }
+    if (child < 0 || waitpid(child, &status, 0) != child)
+        return -1;
+    return status;
+}
+
+static const char *ending(const board *b, int status)
+{
+    if (status != -1 && WIFSIGNALED(status))
+        return WTERMSIG(status) == SIGALRM ? "timed out" : strsignal(WTERMSIG(status));
+    if (!b->done)
+        return "the process ended in the middle of a case";
+    return status == 0 ? NULL : "errors found when the process ended (leaks?)";
+}
+
+static uint64_t case_seed(const char *name, uint64_t seed, size_t i)
+{
+    uint64_t h = gen_mix(seed);
+
+    while (*name)
+        h = gen_mix(h ^ (unsigned char)*name++);
+    return gen_mix(h + i);
+}
+
+static void work_random(job *j)
+{
+    board *b = j->b;
+
+    for (size_t i = 0; i < j->runs && b->result != FAIL; i++) {
+        gen_from_seed(&b->g, case_seed(j->p->name, j->seed, i));
+        b->result = j->p->run(&b->g);
+        b->runs++;
+        b->skipped += b->result == SKIP;
+    }
+}
+
+static void work_bytes(job *j)
+{
+    gen_from_bytes(&j->b->g, j->bytes, j->nbytes);
+    j->b->result = j->p->run(&j->b->g);
+}
+
+/* The counterexample, told. */
+static void work_show(job *j)
+{
+    static uint64_t v[GEN_DRAWS];
+
+    for (size_t i = 0; i < j->b->s.nbest; i++)
+        v[i] = j->b->s.best[i].value;
+    gen_from_values(&j->b->g, v, j->b->s.nbest);
+    j->b->g.show = true;
+    j->b->g.show_draws = verbose;
+    j->p->run(&j->b->g);
+    j->b->g.show = false;
+    fflush(stdout);
+}
+
+static bool fails_here(void *context, gen *g)
+{
+    const job *j = context;
+
+    return j->p->run(g) == FAIL;
+}
+
+static void work_shrink(job *j)
+{
+    shrink(&j->b->s);
+}
+
+static void quiet(job *j)
+{
+    if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr))
+        return;
+    j->b->result = j->p->run(&j->b->g);
+}
+
+static bool fails_apart(void *context, gen *g)
+{
+    job *j = context;
+    const int status = apart(quiet, j, 5);
+
+    return g == &j->b->g && (status != 0 || j->b->result == FAIL);
+}
+
+static void write_case(const board *b, const char *path)
+{
+    static uint8_t bytes[GEN_BYTES];
+    const size_t n = gen_encode(bytes, b->s.best, b->s.nbest);
+    FILE *f = fopen(path, "wb");
+
+    if (!f || fwrite(bytes, 1, n, f) != n)
+        printf("  cannot write %s\n", path);
+    if (f)
+        fclose(f);
+}
+
+static void shrink_case(job *j, bool crashed)
+{
+    board *b = j->b;
+
+    b->s.fails = fails_here;
+    b->s.context = j;
+    b->s.trial = &b->g;
+    b->s.calls = SHRINK_CALLS;
+    b->s.seconds = 20;
+    if (!crashed && apart(work_shrink, j, 60) == 0)
+        return;
+    b->s.fails = fails_apart;            /* a case that kills its process: each trial in one of its own */
+    b->s.calls = 3000;
+    shrink(&b->s);
+}
+
+/* The failing draws stand in the board; shrink, write, show. */
+static void report(job *j, const char *how, bool shrinking)
+{
+    board *b = j->b;
+    char path[2 * PATH];
+    const bool leak = b->done && b->result != FAIL, slow = how && strcmp(how, "timed out") == 0;
+
+    memcpy(b->s.best, b->g.draws, b->g.ndraws * sizeof b->g.draws[0]);
+    memcpy(b->s.spans, b->g.spans, b->g.nspans * sizeof b->g.spans[0]);
+    b->s.nbest = b->g.ndraws;
+    b->s.nspans = b->g.nspans;
+    if (shrinking && !leak && !slow)
+        shrink_case(j, how != NULL);
+    snprintf(path, sizeof path, "%s/%s.fail", program_dir, j->p->name);
+    if (shrinking)
+        write_case(b, path);
+    if (shrinking)
+        printf("  %zu draws in %s; again: check --replay %s\n", b->s.nbest, path, path);
+    if (!slow)
+        apart(work_show, j, 60);
+}
+
+static void clear_board(board *b)
+{
+    gen_clear(&b->g);
+    b->result = PASS;
+    b->runs = b->skipped = b->passed = b->failed = 0;
+}
+
+static void tell_labels(const board *b)
+{
+    for (size_t i = 0; i < b->g.nlabels; i++)
+        printf("  %5.1f %% %s\n", 100.0 * (double)b->g.labels[i].cases / (double)b->runs, b->g.labels[i].text);
+}
+
+static void random_property(const property *p, uint64_t seed, size_t runs)
+{
+    job j = { .p = p, .b = shared, .seed = seed, .runs = runs };
+    const char *how;
+
+    clear_board(shared);
+    how = ending(shared, apart(work_random, &j, SECONDS));
+    if (how || shared->result == FAIL) {
+        failed++;
+        printf("FAIL %s seed %llu case %zu%s%s\n", p->name, (unsigned long long)seed, shared->runs, how ? ": " : "", how ? how : "");
+        report(&j, how, true);
+    } else if (shared->skipped * 10 > shared->runs * 9) {
+        failed++;
+        printf("FAIL %s skips %zu of %zu cases\n", p->name, shared->skipped, shared->runs);
+    } else {
+        passed++;
+        printf("ok %s %zu cases, %zu skipped\n", p->name, shared->runs, shared->skipped);
+        if (verbose)
+            tell_labels(shared);
+    }
+}
+
+static const property *find(const char *name, size_t length)
+{
+    for (const property *p = properties; p->name; p++)
+        if (strlen(p->name) == length && memcmp(p->name, name, length) == 0)
+            return p;
+    return NULL;
+}
+
+static void replay(const char *path, bool shrinking)
+{
+    static uint8_t bytes[GEN_BYTES];
+    const char *name = strrchr(path, '/') ? strrchr(path, '/') + 1 : path, *how;
+    FILE *f = fopen(path, "rb");
+    job j = { .p = find(name, strcspn(name, ".")), .b = shared, .bytes = bytes };
+
+    if (f) {
+        j.nbytes = fread(bytes, 1, sizeof bytes, f);
+        fclose(f);
+    }
+    if (!f || !j.p) {
+        failed++;
+        printf("FAIL %s: %s\n", path, f ? "no property of this name" : "cannot be read");
+        return;
+    }
+    clear_board(shared);
+    how = ending(shared, apart(work_bytes, &j, SECONDS));
+    if (how || shared->result == FAIL) {
+        failed++;
+        printf("FAIL %s%s%s\n", path, how ? ": " : "", how ? how : "");
+        report(&j, how, shrinking);
+    } else {
+        passed++;
+        printf("ok %s%s\n", path, shared->result == SKIP ? " (skipped)" : "");
+    }
+}
+
+static void work_golden(job *j)
+{
+    enum { LINE = 1 << 20 };
+    char *line = malloc(LINE), what[ROW_WHAT];
+    FILE *f = fopen(j->path, "r");
+
+    if (!f || !line) {
+        j->b->failed++;
+        printf("FAIL %s: cannot be read\n", j->path);
+    }
+    for (size_t n = 1; f && line && fgets(line, LINE, f); n++) {
+        if (line[0] == '#' || line[strspn(line, " \t\r\n")] == '\0')
+            continue;
+        j->b->runs = n;
+        const bool ok = row_run(j->path, n, line, what) == PASS;
+        j->b->passed += ok;
+        j->b->failed += !ok;
+        printf("%s %s:%zu %s\n", ok ? "ok" : "FAIL", j->path, n, what);
+    }
+    free(line);
+    if (f)
+        fclose(f);
+}
+
+static void golden_file(const char *path)
+{
+    job j = { .b = shared, .path = path };
+    const char *how;
+
+    clear_board(shared);
+    how = ending(shared, apart(work_golden, &j, SECONDS));
+    passed += shared->passed;
+    failed += shared->failed + (how != NULL);
+    if (how)
+        printf("FAIL %s after line %zu: %s\n", path, shared->runs, how);
+    else if (shared->passed + shared->failed == 0) {
+        failed++;
+        printf("FAIL %s has no rows\n", path);
+    }
+}
+
+static bool belongs(const char *name, const char *wanted)
+{
+    const size_t n = strlen(wanted);
+
+    return strncmp(name, wanted, n) == 0 && (name[n] == '\0' || name[n] == '_');
+}
+
+static void random_all(char **names, size_t n, uint64_t seed, size_t runs)
+{
+    for (size_t i = 0; i < n; i++) {
+        bool known = false;
+        for (const property *p = properties; p->name; p++)
+            known |= belongs(p->name, names[i]);
+        failed += !known;
+        if (!known)
+            printf("FAIL %s: no property of this name\n", names[i]);
+    }
+    for (const property *p = properties; p->name; p++) {
+        bool wanted = n == 0;
+        for (size_t i = 0; i < n; i++)
+            wanted |= belongs(p->name, names[i]);
+        if (wanted)
+            random_property(p, seed, runs);
+    }
+}
+
+static unsigned long long setting(const char *name, unsigned long long usual)
+{
+    const char *text = getenv(name);
+
+    return text && *text ? strtoull(text, NULL, 0) : usual;
+}
+
+static void list(void)
+{
+    for (const property *p = properties; p->name; p++)
+        puts(p->name);
+}
+
+static void files(char **argv, void (*each)(const char *path))
+{
+    while (*argv)
+        each(*argv++);
+}
+
+static void replay_only(const char *path)
+{
+    replay(path, false);
+}
+
+static void replay_shrink(const char *path)
+{
+    replay(path, true);
+}
+
+static int usage(void)
+{
+    fputs("check [-v] [-n RUNS] [-s SEED] [NAME | MODULE ...]\ncheck [-v] --replay | --shrink | --golden FILE...\ncheck --list\n", stderr);
+    return 2;
+}
+
+int main(int argc, char **argv)
+{
+    unsigned long long runs = setting("ET_RUNS", RUNS), seed = setting("ET_SEED", 1);
+    int i = 1;
+
+    snprintf(program_dir, sizeof program_dir, "%.*s", (int)(strrchr(argv[0], '/') ? strrchr(argv[0], '/') - argv[0] : 1),
+             strrchr(argv[0], '/') ? argv[0] : ".");
+    shared = share(sizeof *shared);
+    if (!shared)
+        return perror("check: shared memory"), 2;
+    for (; i < argc && argv[i][0] == '-' && argv[i][1] != '-'; i++)
+        if (strcmp(argv[i], "-v") == 0)
+            verbose = true;
+        else if (strcmp(argv[i], "-n") == 0 && i + 1 < argc)
+            runs = strtoull(argv[++i], NULL, 0);
+        else if (strcmp(argv[i], "-s") == 0 && i + 1 < argc)
+            seed = strtoull(argv[++i], NULL, 0);
+        else
+            return usage();
+    if (i < argc && strcmp(argv[i], "--list") == 0)
+        return list(), 0;
+    if (i < argc && strcmp(argv[i], "--replay") == 0)
+        files(argv + i + 1, replay_only);
+    else if (i < argc && strcmp(argv[i], "--shrink") == 0)
+        files(argv + i + 1, replay_shrink);
+    else if (i < argc && strcmp(argv[i], "--golden") == 0)
+        files(argv + i + 1, golden_file);
+    else if (i < argc && argv[i][0] == '-')
+        return usage();
+    else
+        random_all(argv + i, (size_t)(argc - i), seed, (size_t)runs);
+    printf("%zu passed, %zu failed\n", passed, failed);
+    return failed > 0;
+}

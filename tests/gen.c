@@ -1,0 +1,331 @@
+/* gen: draws, and the typed generators made of them. */
+#include "source.h"
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+uint64_t gen_mix(uint64_t x)
+{
+    x += 0x9E3779B97F4A7C15u;
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+    return x ^ (x >> 31);
+}
+
+static void start(gen *g, origin from)
+{
+    g->from = from;
+    g->pos = g->ndraws = g->nspans = g->depth = 0;
+    for (size_t i = 0; i < g->nlabels; i++)
+        g->labels[i].here = false;
+}
+
+void gen_clear(gen *g)
+{
+    memset(g, 0, sizeof *g);
+}
+
+void gen_from_seed(gen *g, uint64_t seed)
+{
+    start(g, FROM_SEED);
+    g->state = seed;
+}
+
+void gen_from_bytes(gen *g, const uint8_t *bytes, size_t n)
+{
+    start(g, FROM_BYTES);
+    g->bytes = bytes;
+    g->nbytes = n;
+}
+
+void gen_from_values(gen *g, const uint64_t *values, size_t n)
+{
+    start(g, FROM_VALUES);
+    g->values = values;
+    g->nvalues = n;
+}
+
+static uint64_t random_upto(gen *g, uint64_t max)
+{
+    const uint64_t r = gen_mix(g->state);
+
+    g->state += 0x9E3779B97F4A7C15u;
+    if (max == UINT64_MAX)
+        return r;
+    if (max > 255 && r >> 60 == 0)       /* the ends of a wide range, each one time in thirty-two */
+        return r >> 59 & 1 ? max : 0;
+    return r % (max + 1);
+}
+
+static uint64_t decode_upto(gen *g, uint64_t max)
+{
+    uint64_t v = 0;
+
+    for (uint64_t m = max; m > 0; m >>= 8) {
+        v = v << 8 | (g->pos < g->nbytes ? g->bytes[g->pos] : 0u);
+        g->pos++;
+    }
+    return max == UINT64_MAX ? v : v % (max + 1);
+}
+
+size_t gen_encode(uint8_t bytes[GEN_BYTES], const draw *draws, size_t n)
+{
+    size_t len = 0;
+
+    for (size_t i = 0; i < n; i++) {
+        size_t width = 0;
+        for (uint64_t m = draws[i].max; m > 0; m >>= 8)
+            width++;
+        for (size_t k = width; k-- > 0;)
+            bytes[len++] = (uint8_t)(draws[i].value >> (8 * k) & 0xFF);
+    }
+    return len;
+}
+
+uint64_t gen_upto(gen *g, uint64_t max)
+{
+    uint64_t v = 0;
+
+    if (max == 0 || g->ndraws == GEN_DRAWS)
+        return 0;
+    if (g->from == FROM_SEED)
+        v = random_upto(g, max);
+    else if (g->from == FROM_BYTES)
+        v = decode_upto(g, max);
+    else if (g->ndraws < g->nvalues)
+        v = g->values[g->ndraws] < max ? g->values[g->ndraws] : max;
+    g->draws[g->ndraws].value = v;
+    g->draws[g->ndraws].max = max;
+    g->ndraws++;
+    if (g->show && g->show_draws)
+        printf("  draw %zu: %llu of %llu\n", g->ndraws - 1, (unsigned long long)v, (unsigned long long)max);
+    return v;
+}
+
+uint64_t gen_between(gen *g, uint64_t lo, uint64_t hi)
+{
+    return lo + gen_upto(g, hi - lo);
+}
+
+bool gen_chance(gen *g, unsigned in)
+{
+    return in > 0 && gen_upto(g, in - 1) == in - 1;
+}
+
+/* Spans tell the shrinker which draws make one thing. */
+static size_t begin(gen *g)
+{
+    return g->ndraws;
+}
+
+static void end(gen *g, size_t from)
+{
+    if (g->nspans < GEN_SPANS && g->ndraws > from + 1) {
+        g->spans[g->nspans].from = from;
+        g->spans[g->nspans].to = g->ndraws;
+        g->nspans++;
+    }
+}
+
+static double within(double x, double lo, double hi)
+{
+    return x < lo ? lo : x > hi ? hi : x;
+}
+
+static double part(double lo, double hi, uint64_t k, uint64_t n)
+{
+    const double t = (double)k / (double)n;
+
+    if (k == 0 || k == n)
+        return k == 0 ? lo : hi;
+    return within(isfinite(hi - lo) ? lo + (hi - lo) * t : lo * (1 - t) + hi * t, lo, hi);
+}
+
+/* Sixteenths half of the time, then finer fractions, then neighbours of the ends. */
+double gen_real(gen *g, double lo, double hi)
+{
+    const size_t from = begin(g);
+    const uint64_t kind = gen_upto(g, 7);
+    double x;
+
+    if (kind < 4)
+        x = part(lo, hi, gen_upto(g, 16), 16);
+    else if (kind < 6)
+        x = part(lo, hi, gen_upto(g, UINT64_C(1) << 20), UINT64_C(1) << 20);
+    else if (kind == 6)
+        x = part(lo, hi, gen_upto(g, UINT64_C(1) << 53), UINT64_C(1) << 53);
+    else {
+        const bool top = gen_upto(g, 1) == 1;
+        x = top ? hi : lo;
+        for (uint64_t n = gen_upto(g, 3); n > 0; n--)
+            x = nextafter(x, top ? lo : hi);
+    }
+    end(g, from);
+    return x;
+}
+
+static double inner_knot(gen *g, const double *u, size_t first, size_t i)
+{
+    const uint64_t kind = gen_upto(g, 7);
+    const double old = i > first ? u[first + gen_upto(g, i - first - 1)] : 0.5;
+
+    if (kind < 3)
+        return (double)gen_between(g, 1, 15) / 16;
+    if (kind == 3)
+        return old;
+    if (kind == 4)
+        return nextafter(old, gen_upto(g, 1) ? 0 : 1);
+    if (kind == 5)                       /* a tiny span at an end */
+        return gen_upto(g, 1) ? 1 - 0x1p-50 : 0x1p-50;
+    return (double)gen_between(g, 1, (UINT64_C(1) << 20) - 1) / 0x1p20;
+}
+
+static void sort(double *x, size_t n)
+{
+    for (size_t i = 1; i < n; i++)
+        for (size_t j = i; j > 0 && x[j] < x[j - 1]; j--) {
+            const double t = x[j];
+            x[j] = x[j - 1];
+            x[j - 1] = t;
+        }
+}
+
+/* No interior knot more than p times (the curve stays continuous), all strictly inside (0,1); false when there is no room. */
+static bool spread(double *u, size_t first, size_t last, size_t p)
+{
+    const size_t most = p > 0 ? p : 1;
+
+    for (size_t i = first; i < last; i++) {
+        if (i > first && u[i] < u[i - 1])
+            u[i] = u[i - 1];
+        if (i >= first + most && u[i] <= u[i - most])
+            u[i] = nextafter(u[i - most], 2);
+        if (!(u[i] > 0 && u[i] < 1))
+            return false;
+    }
+    return true;
+}
+
+void gen_knots(gen *g, double *u, size_t nu, size_t p)
+{
+    const size_t from = begin(g), first = p + 1, last = nu - p - 1;
+    bool uniform = last == first || gen_upto(g, 3) == 0;
+
+    if (!uniform) {
+        for (size_t i = first; i < last; i++) {
+            const size_t at = begin(g);
+            u[i] = inner_knot(g, u, first, i);
+            end(g, at);
+        }
+        sort(u + first, last - first);
+        uniform = !spread(u, first, last, p);
+    }
+    for (size_t i = first; uniform && i < last; i++)
+        u[i] = (double)(i - p) / (double)(last - p);
+    for (size_t i = 0; i <= p; i++) {
+        u[i] = 0;
+        u[nu - 1 - i] = 1;
+    }
+    end(g, from);
+}
+
+double gen_parameter(gen *g, const double *u, size_t nu, size_t p)
+{
+    const size_t from = begin(g);
+    const double lo = u[p], hi = u[nu - p - 1];
+    const uint64_t kind = gen_upto(g, 7);
+    double x = lo;
+
+    if (kind == 1)
+        x = hi;
+    else if (kind > 1 && kind < 6) {
+        x = u[gen_between(g, p, nu - p - 1)];
+        if (kind > 3)
+            x = nextafter(x, kind == 4 ? hi : lo);
+    } else if (kind > 5)
+        x = gen_real(g, lo, hi);
+    end(g, from);
+    return within(x, lo, hi);
+}
+
+static double coordinate(gen *g, double scale)
+{
+    const double x = gen_real(g, 0, 1);
+
+    return gen_upto(g, 1) ? -x * scale : x * scale;
+}
+
+static void one_point(gen *g, double *xyz, size_t i, double scale)
+{
+    const uint64_t kind = i > 0 ? gen_upto(g, 9) : 0;
+    double *x = xyz + 3 * i;
+
+    if (kind < 7) {
+        for (size_t c = 0; c < 3; c++)
+            x[c] = coordinate(g, scale);
+        return;
+    }
+    const double *a = xyz + 3 * gen_upto(g, i - 1), *b = xyz + 3 * gen_upto(g, i - 1);
+    const double t = kind == 8 ? gen_real(g, 0, 1) : 0;
+    for (size_t c = 0; c < 3; c++)       /* 7: coincident; 8: on a chord; 9: a neighbour */
+        x[c] = kind == 8 ? a[c] + t * (b[c] - a[c]) : a[c];
+    if (kind == 9)
+        x[0] = nextafter(x[0], gen_upto(g, 1) ? -2 * scale : 2 * scale);
+}
+
+void gen_points(gen *g, double *xyz, size_t n)
+{
+    static const double scales[8] = { 1, 1, 1, 16, 0x1p-20, 0x1p20, 0x1p-100, 0x1p100 };
+    const size_t from = begin(g);
+    const double scale = scales[gen_upto(g, 7)];
+
+    for (size_t i = 0; i < n; i++) {
+        const size_t at = begin(g);
+        one_point(g, xyz, i, scale);
+        end(g, at);
+    }
+    end(g, from);
+}
+
+void gen_label(gen *g, const char *text)
+{
+    size_t i = 0;
+
+    while (i < g->nlabels && strncmp(g->labels[i].text, text, GEN_LABEL_SIZE - 1) != 0)
+        i++;
+    if (i == GEN_LABELS)
+        return;
+    if (i == g->nlabels) {
+        g->nlabels++;
+        memset(&g->labels[i], 0, sizeof g->labels[i]);
+        strncpy(g->labels[i].text, text, GEN_LABEL_SIZE - 1);
+    }
+    g->labels[i].cases += !g->labels[i].here;
+    g->labels[i].here = true;
+}
+
+bool gen_check(gen *g, bool ok, const char *format, ...)
+{
+    if (!ok && g->show) {
+        va_list args;
+        fputs("  not so: ", stdout);
+        va_start(args, format);
+        vprintf(format, args);
+        va_end(args);
+        putchar('\n');
+    }
+    return ok;
+}
+
+void gen_note(gen *g, const char *format, ...)
+{
+    if (g->show) {
+        va_list args;
+        fputs("  ", stdout);
+        va_start(args, format);
+        vprintf(format, args);
+        va_end(args);
+        putchar('\n');
+    }
+}
