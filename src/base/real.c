@@ -1,0 +1,66 @@
+#include "etalon/base/real.h"
+#include <float.h>
+#include <math.h>
+
+/* Double precision must be double precision: no x87 registers. */
+typedef char et_real_assert_evaluation[FLT_EVAL_METHOD == 0 ? 1 : -1];
+typedef char et_real_assert_binary64[FLT_RADIX == 2 && DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024 ? 1 : -1];
+
+enum { LANES = 8, BLOCK = 128 };
+
+/* At most BLOCK terms.  A full block: BLOCK / LANES - 1 rounded additions in a lane and three between lanes; else one fewer in a lane and
+ * one for the rest: a term passes at most 18 roundings. */
+static double sum_block(const double *x, size_t n)
+{
+    double lane[LANES] = {0.0};
+    double rest = 0.0;
+    size_t i = 0;
+    for (; i + LANES <= n; i += LANES) {
+        for (size_t k = 0; k < LANES; k++) {
+            lane[k] += x[i + k];
+        }
+    }
+    for (; i < n; i++) {
+        rest += x[i];
+    }
+    for (size_t half = LANES / 2; half > 0; half /= 2) {
+        for (size_t k = 0; k < half; k++) {
+            lane[k] += lane[k + half];
+        }
+    }
+    return lane[0] + rest;
+}
+
+double et_real_sum(const double *x, size_t n)
+{
+    if (n <= BLOCK) {
+        return sum_block(x, n);
+    }
+    size_t left = (n / BLOCK + 1) / 2 * BLOCK;     /* whole blocks, so that only the last is short */
+    return et_real_sum(x, left) + et_real_sum(x + left, n - left);
+}
+
+double et_real_exp(double x)
+{
+    return exp(x);
+}
+
+double et_real_log(double x)
+{
+    return log(x);
+}
+
+double et_real_pow(double x, double y)
+{
+    return pow(x, y);
+}
+
+double et_real_sin(double x)
+{
+    return sin(x);
+}
+
+double et_real_cos(double x)
+{
+    return cos(x);
+}

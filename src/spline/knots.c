@@ -1,0 +1,41 @@
+#include "etalon/spline/knots.h"
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+
+int et_knots_valid(const double *u, size_t nu, size_t p)
+{
+    if (p > SIZE_MAX / 2 - 1 || nu < 2 * p + 2) {
+        return 0;
+    }
+    for (size_t i = 0; i < nu; i++) {
+        if (!isfinite(u[i]) || (i > 0 && !(u[i - 1] <= u[i]))) {
+            return 0;
+        }
+        if (i > 0 && u[i - 1] < u[i] && u[i] - u[i - 1] < DBL_MIN) {
+            return 0;
+        }
+    }
+    return isfinite(u[nu - 1] - u[0]) && u[p] < u[nu - p - 1];
+}
+
+int et_knots_clamped(const double *u, size_t nu, size_t p)
+{
+    return u[0] == u[p] && u[nu - p - 1] == u[nu - 1];
+}
+
+size_t et_knots_span(const double *u, size_t nu, size_t p, double x)
+{
+    size_t lo = p, hi = nu - p - 1;
+    double end = u[hi];
+    while (hi - lo > 1) {     /* u[lo] <= x < u[hi], or, at the end of the domain, u[lo] < end <= u[hi] */
+        size_t mid = lo + (hi - lo) / 2;
+        int right = x < end ? u[mid] <= x : u[mid] < end;
+        if (right) {
+            lo = mid;
+        } else {
+            hi = mid;
+        }
+    }
+    return lo;
+}
