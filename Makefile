@@ -1,8 +1,9 @@
 # make              the library and the command          make demo    a cloud becomes a closed surface, from nothing
 # make test         units, properties, golden rows       make check   all tests (installs what they need)
-# make audit        every public name in every room      make bench   speed, as ratios to named peers
-# make fuzz F=NAME T=60   fuzz one property              make install DESTDIR= PREFIX=/usr/local
-# make P=asan ...   the same under sanitizers: profiles release, debug, asan, fuzz, cover, native
+# make audit        every public name in every room      make floors  nobody includes from above
+# make fuzz F=NAME T=60   fuzz one property              make cover   line and branch coverage
+# make bench        speed, as ratios to named peers      make install DESTDIR= PREFIX=/usr/local
+# make P=asan ...   the same under another profile: release, native, clang, debug, asan, fuzz, cover
 
 P       ?= release
 BUILD   ?= build
@@ -10,44 +11,67 @@ B       := $(BUILD)/$(P)
 ROOMS   ?= base spline net som fit refine io cli
 VERSION := 0.1.0
 PREFIX  ?= /usr/local
+T       ?= 10
 
 CC_release = gcc
 CC_native  = gcc
+CC_clang   = clang
 CC_debug   = gcc
 CC_asan    = clang
 CC_fuzz    = clang
 CC_cover   = gcc
 CXX_release = g++
 CXX_native  = g++
+CXX_clang   = clang++
 CXX_debug   = g++
 CXX_asan    = clang++
 CXX_fuzz    = clang++
 CXX_cover   = g++
 FLAGS_release = -O2
 FLAGS_native  = -O3 -march=native
+FLAGS_clang   = -O3
 FLAGS_debug   = -O0
 FLAGS_asan    = -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 FLAGS_fuzz    = -O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 FLAGS_cover   = -O0 --coverage
+OMP_release = -fopenmp
+OMP_native  = -fopenmp
+OMP_cover   = -fopenmp
 CC     := $(CC_$(P))
 CXX    := $(CXX_$(P))
-COMMON := -g -ffp-contract=off -ffile-prefix-map=$(CURDIR)=. -Wall -Wextra -Wshadow -Wconversion -Werror -Iinclude -Isrc
-CFLAGS   = -std=c99 -pedantic-errors -Wstrict-prototypes -Wvla $(COMMON) $(FLAGS_$(P)) -D_POSIX_C_SOURCE=200809L
+# Threads where the compiler has them: a pragma more or less never changes a bit of a result.
+OMP    := $(if $(OMP_$(P)),$(shell echo 'int main(void){return 0;}' | $(CC) -fopenmp -x c -o /dev/null - 2>/dev/null && echo -fopenmp))
+COMMON := -g -ffp-contract=off -ffile-prefix-map=$(CURDIR)=. -Wall -Wextra -Wshadow -Wconversion -Wno-unknown-pragmas -Werror -Iinclude -Isrc
+CFLAGS   = -std=c99 -pedantic-errors -Wstrict-prototypes -Wvla $(COMMON) $(FLAGS_$(P)) $(OMP) -D_POSIX_C_SOURCE=200809L
 CXXFLAGS = -std=c++17 $(COMMON) $(FLAGS_$(P)) -isystem /usr/include/eigen3
-LDLIBS = -lceres -lglog -llapacke -llapack -lblas -lgsl -lgslcblas -ljansson -lstdc++ -lm
+LDFLAGS ?= -Wl,--as-needed
+LIBS   := -lceres -lglog -llapacke -llapack -lblas -lgsl -lgslcblas -ljansson -lstdc++ -lm
+LDLIBS  = $(LIBS)
 
-SRC  := $(foreach r,$(filter-out cli,$(ROOMS)),$(wildcard src/$(r)/*.c) $(wildcard src/$(r)/*.cpp))
-CLI  := $(if $(filter cli,$(ROOMS)),$(wildcard src/cli/*.c))
-TEST := $(wildcard tests/*.c) $(foreach r,$(ROOMS),$(wildcard tests/$(r)/test_*.c))
-LIBO  := $(addprefix $(B)/,$(addsuffix .o,$(SRC)))
-CLIO  := $(addprefix $(B)/,$(addsuffix .o,$(CLI)))
-TESTO := $(addprefix $(B)/,$(addsuffix .o,$(TEST)))
-MAINO := $(B)/tests/check.c.o
+LIBROOMS := $(filter-out cli,$(ROOMS))
+SRC   := $(foreach r,$(LIBROOMS),$(wildcard src/$(r)/*.c) $(wildcard src/$(r)/*.cpp))
+CLI   := $(if $(filter cli,$(ROOMS)),$(wildcard src/cli/*.c))
+TEST  := $(wildcard tests/*.c) $(foreach r,$(LIBROOMS),$(wildcard tests/$(r)/test_*.c))
+BENCH := $(wildcard tests/bench/bench_*.c)
+MODULES := $(basename $(notdir $(SRC)))
+ROWS    := $(foreach m,$(MODULES),$(wildcard golden/$(m).tsv))
+CORPUS  := $(foreach m,$(MODULES),$(wildcard fuzz/corpus/$(m)/*))
+OBJ    = $(addprefix $(B)/,$(addsuffix .o,$(1)))
+LIBO  := $(call OBJ,$(SRC))
+CLIO  := $(call OBJ,$(CLI))
+TESTO := $(call OBJ,$(TEST))
+FUZZO := $(filter-out $(B)/tests/check.c.o,$(TESTO)) $(B)/fuzz/fuzz.c.o $(B)/registry.o
+BENCHO := $(call OBJ,$(wildcard tests/bench/*.c))
+BENCHES := $(patsubst tests/bench/%.c,$(B)/%,$(BENCH))
 
 all: $(B)/libetalon.a $(if $(CLI),$(B)/etalon)
 
-$(B)/libetalon.a: $(LIBO)
-	rm -f $@ && ar rcsD $@ $^
+# The lists of files: a file that is gone is a change, too.
+$(shell mkdir -p $(B); for l in 'lib $(LIBO)' 'test $(TEST)'; do set -- $$l; \
+	printf '%s\n' "$$l" | cmp -s - $(B)/$$1.list || printf '%s\n' "$$l" > $(B)/$$1.list; done)
+
+$(B)/libetalon.a: $(LIBO) $(B)/lib.list
+	rm -f $@ && ar rcsD $@ $(LIBO)
 $(B)/etalon: $(CLIO) $(B)/libetalon.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(B)/%.c.o: %.c
@@ -56,20 +80,80 @@ $(B)/%.c.o: %.c
 $(B)/%.cpp.o: %.cpp
 	@mkdir -p $(@D)
 	$(CXX) $(CXXFLAGS) -MMD -MP -c -o $@ $<
--include $(LIBO:.o=.d) $(CLIO:.o=.d) $(TESTO:.o=.d)
+-include $(patsubst %.o,%.d,$(LIBO) $(CLIO) $(TESTO) $(BENCHO) $(B)/fuzz/fuzz.c.o)
 
 # The list of properties and of golden checks is read off the tests' own definitions.
-$(B)/registry.c: $(TEST) tests/registry.sh
+$(B)/registry.c: $(TEST) $(B)/test.list tests/registry.sh
 	@mkdir -p $(@D)
 	sh tests/registry.sh $(TEST) > $@.new && mv $@.new $@
 $(B)/registry.o: $(B)/registry.c
 	$(CC) $(CFLAGS) -Itests -c -o $@ $<
 $(B)/check: $(TESTO) $(B)/registry.o $(B)/libetalon.a
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^) $(LDLIBS)
+$(B)/fuzzer: $(FUZZO) $(B)/libetalon.a
+	$(CC) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $(filter %.o %.a,$^) $(LDLIBS)
+
+# Each prints one line a test and a last line `N passed, N failed`; sum.sh adds them up.
+SUM := sh tests/sum.sh
+test: $(B)/check
+	@$(SUM) '$(B)/check' $(if $(CORPUS),'$(B)/check --replay $(CORPUS)') $(if $(ROWS),'$(B)/check --golden $(ROWS)')
+harness:
+	@sh tests/harness.sh '$(BUILD)/harness' '$(CC_release)'
+bites: $(B)/check
+	@$(B)/check --bite $(ROWS)
+asan:
+	@UBSAN_OPTIONS=print_stacktrace=1 $(MAKE) P=asan test
+valgrind: $(B)/check
+	@ET_RUNS=$${ET_RUNS:-20} OMP_NUM_THREADS=1 valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite $(B)/check
+audit: $(B)/libetalon.a
+	@sh tests/audit.sh $(B)/libetalon.a
+floors:
+	@sh tests/floors.sh '$(CC)' 'src include tests'
+bits:
+	@sh tests/bits.sh $(BUILD)
+fuzz:
+	@$(MAKE) P=fuzz $(BUILD)/fuzz/fuzzer
+	@sh fuzz/fuzz.sh $(BUILD)/fuzz '$(F)' $(T)
+cover:
+	@$(MAKE) P=cover test
+	@gcovr -r . -f src/ --object-directory $(BUILD)/cover --html-details $(BUILD)/cover/coverage.html --print-summary
+
+check: deps-test
+	@$(SUM) '$(MAKE) -s all' '$(MAKE) -s test' '$(MAKE) -s harness' '$(MAKE) -s bites' '$(MAKE) -s floors' '$(MAKE) -s audit' \
+	  '$(MAKE) -s P=clang all' '$(MAKE) -s asan' '$(MAKE) -s bits' '$(MAKE) -s end-to-end'
+end-to-end: all
+	@$(SUM) $(foreach s,$(sort $(wildcard tests/cli/*.sh)),'sh $(s) $(B)/etalon')
+
+bench: $(BENCHES)
+	@for b in $(BENCHES); do $$b || exit; done
+$(BENCHES): $(B)/%: $(B)/tests/bench/%.c.o $(B)/tests/bench/bench.c.o $(B)/libetalon.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
-test: $(B)/check
-	$(B)/check
+# Debian's packages; with root (or sudo) they are installed, else named.
+PACKAGES      := gcc g++ libgsl-dev liblapacke-dev libceres-dev libgoogle-glog-dev libeigen3-dev libjansson-dev gnuplot-nox
+PACKAGES_TEST := clang libclang-rt-14-dev valgrind gcovr python3 libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh
+deps:
+	@sh tests/deps.sh $(PACKAGES)
+deps-test:
+	@sh tests/deps.sh $(PACKAGES) $(PACKAGES_TEST)
+demo: deps
+	@$(MAKE) -s all
+	$(BUILD)/release/etalon reconstruct sphere -o $(BUILD)/demo
+	@echo "The pictures are in $(BUILD)/demo."
 
+install: all $(B)/etalon.pc
+	install -d $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/man/man1
+	install -m 644 $(B)/libetalon.a $(DESTDIR)$(PREFIX)/lib
+	install -m 644 $(B)/etalon.pc $(DESTDIR)$(PREFIX)/lib/pkgconfig
+	for h in $$(cd include && find . -name '*.h'); do install -D -m 644 include/$$h $(DESTDIR)$(PREFIX)/include/$$h || exit; done
+	install -m 755 $(B)/etalon $(DESTDIR)$(PREFIX)/bin
+	$(if $(wildcard docs/etalon.1),install -m 644 docs/etalon.1 $(DESTDIR)$(PREFIX)/share/man/man1)
+$(B)/etalon.pc: src/etalon.pc.in Makefile
+	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@LIBS@|$(LIBS)|' $< > $@
+uninstall:
+	rm -rf $(DESTDIR)$(PREFIX)/include/etalon
+	rm -f $(DESTDIR)$(PREFIX)/lib/libetalon.a $(DESTDIR)$(PREFIX)/lib/pkgconfig/etalon.pc $(DESTDIR)$(PREFIX)/bin/etalon
+	rm -f $(DESTDIR)$(PREFIX)/share/man/man1/etalon.1
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test clean
+.PHONY: all test harness bites asan valgrind audit floors bits fuzz cover check end-to-end bench deps deps-test demo install uninstall clean
