@@ -1,0 +1,126 @@
+/* refine: the control points of a closed surface are moved to lessen its error. */
+#include "cli/cli.h"
+#include "etalon/io/iges.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { OWN = 7 };
+
+typedef struct { const char *surface, *iges, *history, *net; int algorithm; } refine_files;
+
+/* The best so far of an interrupted run goes beside the place of the whole one: what stood there stays. */
+static et_status partial(const cli_refined *r, const char *output, et_message *message)
+{
+    const size_t size = strlen(output) + sizeof ".partial";
+    char *path = malloc(size);
+    et_status status;
+
+    if (!path)
+        return et_status_fail(message, ET_ENOMEM, "not enough memory");
+    snprintf(path, size, "%s.partial", output);
+    status = et_json_write_surface(path, &r->surface, message);
+    if (status == ET_OK)
+        status = et_status_fail(message, ET_ESTOPPED, "interrupted after %zu steps; the best so far is in %s", r->steps, path);
+    free(path);
+    return status;
+}
+
+static et_status finish(const cli_refined *r, const refine_files *f, const cli_run *run, et_message *message)
+{
+    et_status status = ET_OK;
+
+    if (r->stopped)
+        return f->surface && strcmp(f->surface, "-") != 0 ? partial(r, f->surface, message)
+                                                          : et_status_fail(message, ET_ESTOPPED, "interrupted after %zu steps", r->steps);
+    if (f->surface)
+        status = et_json_write_surface(f->surface, &r->surface, message);
+    if (status == ET_OK && f->iges)
+        status = et_iges_write(f->iges, &r->surface.fit.shell, &r->surface.frame, message);
+    if (status == ET_OK && f->history)
+        status = cli_write_history(f->history, r, 1, message);
+    if (status == ET_OK && run->json) {
+        json_t *object = cli_json_refined(r);
+        status = cli_print(object, message);
+        json_decref(object);
+    } else if (status == ET_OK && !run->quiet && !(f->surface && strcmp(f->surface, "-") == 0)) {
+        printf("%s: %.9g -> %.9g (%.3g less) in %zu steps, %llu evaluations, %.2f s CPU; seam gap %g\n", cli_algorithm_name(r->algorithm), r->before,
+               r->after, r->before - r->after, r->steps, (unsigned long long)r->evaluations, r->seconds, r->surface.seam_gap);
+    }
+    return status;
+}
+
+/* The surface and the net must be of one making: same sides, and for the objective a closed surface. */
+static et_status matches(const et_surface_file *surface, const et_net_file *net, const refine_files *f, const char *path, et_message *message)
+{
+    const et_doublenet a = surface->fit.data, b = net->net;
+
+    if (a.nx != b.nx || a.ny != b.ny)
+        return et_status_fail(message, ET_EFORMAT, "%s was fitted to a %zux%zu net, %s holds one of %zux%zu", path, a.nx, a.ny, f->net, b.nx, b.ny);
+    if (!et_shell_closed(&surface->fit.shell))
+        return et_status_fail(message, ET_EFORMAT, "%s has a gap: fit it with --approach improved or joint to refine it", path);
+    if (f->algorithm != CLI_CERES_FULL && surface->fit.shell.view[0].weights)
+        return et_status_fail(message, ET_EFORMAT, "%s is rational: only ceres-full refines weights", path);
+    return ET_OK;
+}
+
+static et_status run_it(const char *path, const refine_files *f, const cli_refine_options *o, cli_run *run, et_message *message)
+{
+    et_surface_file surface;
+    et_net_file net;
+    cli_refined refined;
+    et_status status = et_json_read_surface(&surface, path, message);
+
+    if (status != ET_OK)
+        return status;
+    status = et_json_read_net(&net, f->net, message);
+    if (status == ET_OK) {
+        status = matches(&surface, &net, f, path, message);
+        if (status == ET_OK) {
+            const et_task task = cli_task(run, cli_algorithm_name((size_t)f->algorithm));
+            status = cli_refine(&refined, &surface, net.weights, (cli_algorithm)f->algorithm, o, run->seed, 0, &task, message);
+            cli_task_end(run);
+            if (status == ET_OK || status == ET_ESTOPPED) {
+                status = finish(&refined, f, run, message);
+                cli_refined_free(&refined);
+            }
+        }
+        et_json_free_net(&net);
+    }
+    et_json_free_surface(&surface);
+    return status;
+}
+
+et_status cli_refine_command(int argc, char **argv, et_message *message)
+{
+    cli_refine_options o = cli_refine_defaults();
+    cli_run run = cli_run_defaults();
+    refine_files f = { NULL, NULL, NULL, NULL, -1 };
+    const char *positional[1];
+    size_t n;
+    cli_option options[OWN + CLI_REFINE_OPTIONS + CLI_COMMON] = {
+        { "output", 'o', CLI_TEXT, &f.surface, "FILE", "the refined surface (JSON)", NULL },
+        { "net", 0, CLI_TEXT, &f.net, "FILE", "the trained net the surface was fitted to (needed)", NULL },
+        { "with", 0, CLI_NAME, &f.algorithm, "WORD", "the algorithm (needed)", cli_algorithm_name },
+        { "iges", 0, CLI_TEXT, &f.iges, "FILE", "the refined surfaces for CAD", NULL },
+        { "history", 0, CLI_TEXT, &f.history, "FILE", "best value after every step (CSV)", NULL },
+        { "checkpoint", 0, CLI_TEXT, &o.checkpoint, "FILE", "leave the state of GA, DE, PSO here at the end, also when interrupted", NULL },
+        { "resume", 0, CLI_TEXT, &o.resume, "FILE", "go on from a checkpoint, with the same settings and seed, for --generations more", NULL },
+    };
+    const cli_help help = { "refine", "etalon refine SURFACE --net NET --with WORD [options]", "Refine the control points of a closed surface.",
+                            "  etalon refine out/surface.json --net out/net.json --with pso --seed 3 -o better.json\n"
+                            "  etalon refine s.json --net n.json --with ceres --iges better.igs\n"
+                            "  etalon refine s.json --net n.json --with de --generations 500 --checkpoint de.state\n", 1, 1 };
+
+    cli_refine_table(options + OWN, &o);
+    cli_common(options + OWN + CLI_REFINE_OPTIONS, &run);
+    et_status status = cli_parse(positional, &n, argc, argv, options, OWN + CLI_REFINE_OPTIONS + CLI_COMMON, &help, message);
+    if (status != ET_OK || run.help)
+        return status;
+    if (!f.net || f.algorithm < 0)
+        return et_status_fail(message, ET_EINVAL, "--net and --with are needed; usage: %s", help.usage);
+    if ((o.checkpoint || o.resume) && f.algorithm > CLI_PSO)
+        return et_status_fail(message, ET_EINVAL, "--checkpoint and --resume are for ga, de, pso");
+    status = cli_refine_settle(&o, message);
+    return status == ET_OK ? run_it(positional[0], &f, &o, &run, message) : status;
+}

@@ -1,0 +1,129 @@
+/* run: progress, interruption, clocks, and the words a run says. */
+#include "cli/cli.h"
+#include "etalon/io/file.h"
+#include <signal.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+static volatile sig_atomic_t stop_asked;
+
+/* The first signal asks; the second ends at once, leaving no temporary behind. */
+static void on_signal(int number)
+{
+    (void)number;
+    if (stop_asked) {
+        et_file_abandon_all();
+        _exit(130);
+    }
+    stop_asked = 1;
+}
+
+void cli_signals(void)
+{
+    struct sigaction action;
+
+    memset(&action, 0, sizeof action);
+    action.sa_handler = on_signal;
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    action.sa_handler = SIG_IGN;
+    sigaction(SIGPIPE, &action, NULL);
+}
+
+int cli_stopped(void)
+{
+    return stop_asked != 0;
+}
+
+et_status cli_check(et_message *message)
+{
+    return stop_asked ? et_status_fail(message, ET_ESTOPPED, "interrupted; nothing was written") : ET_OK;
+}
+
+cli_run cli_run_defaults(void)
+{
+    cli_run run;
+    memset(&run, 0, sizeof run);
+    run.seed = 1;
+    run.threads = 1;
+    return run;
+}
+
+static double seconds(clockid_t which)
+{
+    struct timespec t;
+    return clock_gettime(which, &t) == 0 ? (double)t.tv_sec + 1e-9 * (double)t.tv_nsec : 0.0;
+}
+
+double cli_cpu(void)
+{
+    return seconds(CLOCK_THREAD_CPUTIME_ID);
+}
+
+static void draw(cli_run *run, size_t done, size_t total, double now)
+{
+    const double elapsed = now - run->began, rate = elapsed > 0 ? (double)done / elapsed : 0;
+    const double left = rate > 0 ? (double)(total - done) / rate : 0;
+
+    fprintf(stderr, "\r\033[K%s  %3.0f %%  %zu/%zu  %.3g/s  %.0f s left", run->stage, total ? 100.0 * (double)done / (double)total : 0.0, done, total,
+            rate, left);
+    fflush(stderr);
+    run->drawn = 1;
+    run->shown = now;
+}
+
+static et_status step(void *context, size_t done, size_t total)
+{
+    cli_run *run = context;
+
+    if (stop_asked)
+        return ET_ESTOPPED;
+    if (!run->quiet && (run->progress || isatty(STDERR_FILENO))) {
+        const double now = seconds(CLOCK_MONOTONIC);
+        if (now - run->shown > 0.1)
+            draw(run, done, total, now);
+    }
+    return ET_OK;
+}
+
+et_task cli_task(cli_run *run, const char *stage)
+{
+    const et_task task = { step, run };
+    run->stage = stage;
+    run->began = seconds(CLOCK_MONOTONIC);
+    run->shown = run->progress ? 0 : run->began;
+    return task;
+}
+
+void cli_task_end(cli_run *run)
+{
+    if (run->drawn)
+        fputs("\r\033[K", stderr);
+    run->drawn = 0;
+}
+
+void cli_say(const cli_run *run, const char *format, ...)
+{
+    va_list list;
+
+    if (run->quiet || run->json)
+        return;
+    va_start(list, format);
+    vfprintf(stderr, format, list);
+    va_end(list);
+    fputc('\n', stderr);
+}
+
+et_status cli_print(const json_t *object, et_message *message)
+{
+    char *text = object ? json_dumps(object, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;
+
+    if (!text)
+        return et_status_fail(message, ET_ENOMEM, "not enough memory to print the result");
+    const int bad = puts(text) < 0 || fflush(stdout) != 0;
+    free(text);
+    return bad ? et_status_fail(message, ET_EIO, "cannot write to standard output") : ET_OK;
+}
