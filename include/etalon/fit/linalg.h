@@ -18,6 +18,10 @@ et_status et_linalg_lsq(double *X, size_t *rank, const double *A, size_t m, size
 /* A = Q R: R (n x n upper triangular, m >= n) and C = first n rows of Q'B. */
 et_status et_linalg_qr(double *R, double *C, const double *A, size_t m, size_t n, const double *B, size_t k);
 
+/* The same for a banded A: row i has the entries a[i*w .. i*w+w-1] in columns start[i] .. start[i]+w-1. */
+et_status et_linalg_band_lsq(double *X, size_t *rank, const double *a, const size_t *start, size_t m, size_t n, size_t w, const double *B, size_t k,
+                             et_linalg_method method);
+
 #ifdef __cplusplus
 }
 #endif
