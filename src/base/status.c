@@ -23,6 +23,8 @@ const char *et_status_text(et_status status)
         return "stopped on request";
     case ET_EINTERNAL:
         return "internal fault";
+    case ET_EDIFFER:
+        return "figures differ";
     }
     return "unknown status";
 }
@@ -32,6 +34,8 @@ int et_status_exit(et_status status)
     switch (status) {
     case ET_OK:
         return 0;
+    case ET_EDIFFER:
+        return 1;
     case ET_EINVAL:
         return 2;
     case ET_EFORMAT:

@@ -1,6 +1,7 @@
 /* reconstruct: all steps, from a cloud to a closed surface with its files, pictures and report.
  *
- * Everything is computed before anything is written, so that a failure or an interruption leaves an earlier result as it was.
+ * Everything is computed, then written into a folder of its own inside the output folder, then moved to its place: a failure or an
+ * interruption leaves an earlier result as it was.
  */
 #include "cli/cli.h"
 #include "etalon/base/size.h"
@@ -12,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 enum { OWN = 5, TABLE = OWN + CLI_TRAIN_OPTIONS + CLI_FIT_OPTIONS + CLI_REFINE_OPTIONS + CLI_COMMON };
 
@@ -98,7 +100,7 @@ static et_status make_directory(const char *path, et_message *message)
     struct stat there;
     char partial[PATH];
 
-    if (strlen(path) + 32 > PATH || !path[0])
+    if (strlen(path) + 64 > PATH || !path[0])
         return et_status_fail(message, ET_EINVAL, "--output '%.64s...' is not a usable folder name", path);
     strcpy(partial, path);
     for (char *slash = strchr(partial + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
@@ -114,7 +116,47 @@ static et_status make_directory(const char *path, et_message *message)
     return ET_OK;
 }
 
-static et_status write_mesh(cli_reconstruction *r, const reconstruct_options *o, et_message *message)
+/* All that a reconstruction may leave in its folder. */
+static const char *const products[] = { "cloud.ply", "net.json", "fit.json", "surface.json", "surface.igs", "surface.obj", "surface.stl", "history.csv",
+                                        "summary.json", "report.md", "cloud.png", "net.png", "surface.png", "error.png", "convergence.png" };
+enum { PRODUCTS = sizeof products / sizeof products[0] };
+
+/* The staging folder: inside the output folder, so that moving out of it is a rename. */
+static et_status open_stage(char stage[PATH], const char *directory, et_message *message)
+{
+    et_status status = make_directory(directory, message);
+
+    if (status == ET_OK) {
+        snprintf(stage, PATH, "%s/.part-%ld", directory, (long)getpid());
+        if (mkdir(stage, 0777) != 0)
+            status = et_status_fail(message, ET_EIO, "cannot make a folder in %s: %s", directory, strerror(errno));
+    }
+    return status;
+}
+
+static void drop_stage(const char *stage)
+{
+    char path[PATH];
+
+    for (size_t k = 0; k < PRODUCTS; k++)
+        unlink(in(path, stage, products[k]));
+    rmdir(stage);
+}
+
+/* What was not made this time is removed: a picture of an earlier run must not stand beside this one's numbers. */
+static et_status publish(const char *stage, const char *directory, et_message *message)
+{
+    char from[PATH], to[PATH];
+
+    for (size_t k = 0; k < PRODUCTS; k++)
+        if (rename(in(from, stage, products[k]), in(to, directory, products[k])) != 0
+            && !(errno == ENOENT && (unlink(to) == 0 || errno == ENOENT)))
+            return et_status_fail(message, ET_EIO, "cannot write %s: %s", to, strerror(errno));
+    rmdir(stage);
+    return ET_OK;
+}
+
+static et_status write_mesh(cli_reconstruction *r, const char *stage, const reconstruct_options *o, et_message *message)
 {
     const et_surface_file *final = cli_final(r);
     char path[PATH];
@@ -127,17 +169,16 @@ static et_status write_mesh(cli_reconstruction *r, const reconstruct_options *o,
     r->vertices = mesh.nvertices;
     r->triangles = mesh.ntriangles;
     r->volume = et_tessellation_volume(&mesh);
-    status = et_tessellation_write_obj(in(path, o->directory, "surface.obj"), &mesh, message);
+    status = et_tessellation_write_obj(in(path, stage, "surface.obj"), &mesh, message);
     if (status == ET_OK)
-        status = et_tessellation_write_stl(in(path, o->directory, "surface.stl"), &mesh, message);
+        status = et_tessellation_write_stl(in(path, stage, "surface.stl"), &mesh, message);
     et_tessellation_free(&mesh);
     return status;
 }
 
-static et_status write_data(cli_reconstruction *r, const et_cloud *cloud, const reconstruct_options *o, et_message *message)
+static et_status write_data(cli_reconstruction *r, const et_cloud *cloud, const char *d, const reconstruct_options *o, et_message *message)
 {
     const et_surface_file *final = cli_final(r);
-    const char *d = o->directory;
     char path[PATH];
     et_status status = et_cloud_write(in(path, d, "cloud.ply"), cloud->points, cloud->count, ET_CLOUD_PLY_LITTLE, message);
 
@@ -150,7 +191,7 @@ static et_status write_data(cli_reconstruction *r, const et_cloud *cloud, const 
     if (status == ET_OK)
         status = et_iges_write(in(path, d, "surface.igs"), &final->fit.shell, &final->frame, message);
     if (status == ET_OK)
-        status = write_mesh(r, o, message);
+        status = write_mesh(r, d, o, message);
     if (status == ET_OK)
         status = cli_write_history(in(path, d, "history.csv"), r->refined, r->nrefined, message);
     if (status == ET_OK) {
@@ -233,7 +274,26 @@ static et_status draw(const cli_reconstruction *r, const et_cloud *cloud, const 
         status = draw_error(r, in(path, d, "error.png"), message);
     if (status == ET_OK && r->nrefined)
         status = draw_history(r, in(path, d, "convergence.png"), message);
-    return status != ET_OK && cli_stopped() ? et_status_fail(message, ET_ESTOPPED, "interrupted while drawing; all but the pictures is in %s", d) : status;
+    return status != ET_OK && cli_stopped() ? et_status_fail(message, ET_ESTOPPED, "interrupted; nothing was written") : status;
+}
+
+static et_status write_all(cli_reconstruction *r, const et_cloud *cloud, const reconstruct_options *o, et_message *message)
+{
+    char stage[PATH];
+    et_status status = open_stage(stage, o->directory, message);
+
+    if (status != ET_OK)
+        return status;
+    status = write_data(r, cloud, stage, o, message);
+    if (status == ET_OK && r->pictures)
+        status = draw(r, cloud, stage, message);
+    if (status == ET_OK)
+        status = cli_check(message);
+    if (status == ET_OK)
+        status = publish(stage, o->directory, message);
+    if (status != ET_OK)
+        drop_stage(stage);
+    return status;
 }
 
 /* ---- the command ------------------------------------------------------------------------------------------------------ */
@@ -267,11 +327,7 @@ static et_status run_it(const char *path, const reconstruct_options *o, cli_run 
     if (status == ET_OK)
         status = compute(&r, &cloud, o, run, message);
     if (status == ET_OK)
-        status = make_directory(o->directory, message);
-    if (status == ET_OK)
-        status = write_data(&r, &cloud, o, message);
-    if (status == ET_OK && r.pictures)
-        status = draw(&r, &cloud, o->directory, message);
+        status = write_all(&r, &cloud, o, message);
     if (status == ET_OK && run->json) {
         json_t *summary = cli_json_summary(&r);
         status = cli_print(summary, message);

@@ -19,7 +19,8 @@ typedef enum {
     ET_ERANK,         /* a linear system is rank deficient */
     ET_ENOCONV,       /* an iteration did not converge */
     ET_ESTOPPED,      /* the caller's callback asked to stop; the best so far has been delivered */
-    ET_EINTERNAL      /* a fault of Etalon itself */
+    ET_EINTERNAL,     /* a fault of Etalon itself */
+    ET_EDIFFER        /* a comparison with figures given from outside failed */
 } et_status;
 
 enum { ET_MESSAGE_SIZE = 1024 };
@@ -28,7 +29,7 @@ typedef struct { char text[ET_MESSAGE_SIZE]; } et_message;
 /* A short English phrase for a status; never null, "unknown status" for values outside the enumeration. */
 const char *et_status_text(et_status status);
 
-/* The exit code of the command line for a status: 0, 2 (EINVAL), 3 (EFORMAT), 4 (EIO), 5 (ERANK, ENOCONV),
+/* The exit code of the command line for a status: 0, 1 (EDIFFER), 2 (EINVAL), 3 (EFORMAT), 4 (EIO), 5 (ERANK, ENOCONV),
  * 70 (EINTERNAL, ENOMEM), 130 (ESTOPPED); 70 for values outside the enumeration. */
 int et_status_exit(et_status status);
 

@@ -1,0 +1,209 @@
+/* table: the rows of a comparison as text, CSV and JSON, and against a baseline. */
+#include "cli/compare.h"
+#include "etalon/io/file.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *compare_format_name(size_t k)
+{
+    static const char *const names[] = { "text", "csv", "json" };
+    return k < 3 ? names[k] : NULL;
+}
+
+/* One contender of one case. */
+typedef struct {
+    const compare_case *c;
+    const char *contender;
+    size_t runs;
+    double error, least, greatest, non, gap, seconds;   /* error: the average; non: NaN for refiners */
+    double counted;                       /* what the source would print: NON for conventional, in the faithful readings */
+    uint64_t evaluations;
+} line;
+
+static line of_fit(const compare_case *c, size_t a)
+{
+    const et_fit_error *e = &c->fit[a].error;
+    const line l = { c, cli_approach_name(a), 1, e->nov, e->nov, e->nov, e->non, c->fit[a].seam_gap, c->seconds[a],
+                     c->faithful && a == ET_FIT_CONVENTIONAL ? e->non : e->nov, 0 };
+    return l;
+}
+
+static line of_jobs(const comparison *t, size_t which, size_t algorithm)
+{
+    line l = { &t->cases[which], cli_algorithm_name(algorithm), 0, 0, INFINITY, -INFINITY, NAN, 0, 0, 0, 0 };
+
+    for (size_t k = 0; k < t->njobs; k++) {
+        const compare_job *j = &t->jobs[k];
+        if (j->which != which || j->algorithm != algorithm)
+            continue;
+        l.runs++;
+        l.error += j->after;
+        l.seconds += j->seconds;
+        l.least = fmin(l.least, j->after);
+        l.greatest = fmax(l.greatest, j->after);
+        l.gap = fmax(l.gap, j->gap);
+        l.evaluations = j->evaluations;
+    }
+    l.error /= (double)l.runs;
+    l.seconds /= (double)l.runs;
+    l.counted = l.error;
+    return l;
+}
+
+static size_t lines_of_case(const comparison *t)
+{
+    return 3 + t->options->nalgorithms;
+}
+
+static line pick(const comparison *t, size_t which, size_t k)
+{
+    return k < 3 ? of_fit(&t->cases[which], k) : of_jobs(t, which, t->options->algorithms[k - 3]);
+}
+
+static void put_text(FILE *f, const comparison *t, const cli_run *run)
+{
+    const compare_options *o = t->options;
+
+    fprintf(f, "%s: %zu points, grid %zux%zu, seed %llu, %zu runs of %zu generations, refiners start from %s\n", t->cloud, t->points, o->train.grid[0],
+            o->train.grid[1], (unsigned long long)run->seed, o->runs, o->refiner.generations, cli_approach_name(o->start));
+    fprintf(f, "error: sum of distances over the NOV classes (Eq. 5.13); NON: every border point twice%s\n",
+            o->refiner.faithful ? "; the source prints NON for conventional, NOV for the others" : "");
+    for (size_t c = 0; c < t->ncases; c++) {
+        const compare_case *k = &t->cases[c];
+        fprintf(f, "\ncontrol %zux%zu, %s, %s readings\n  %-13s %14s %14s %14s %14s %10s %9s %10s\n", k->control[0], k->control[1],
+                cli_method_name(k->method), k->faithful ? "faithful" : "default", "", "error (avg)", "least", "greatest", "over NON", "gap", "CPU s",
+                "evaluations");
+        for (size_t m = 0; m < lines_of_case(t); m++) {
+            const line l = pick(t, c, m);
+            fprintf(f, "  %-13s %14.9f %14.9f %14.9f ", l.contender, l.error, l.least, l.greatest);
+            if (m < 3)
+                fprintf(f, "%14.9f %10.3g %9.3f %10s\n", l.non, l.gap, l.seconds, "");
+            else
+                fprintf(f, "%14s %10.3g %9.3f %10llu\n", "", l.gap, l.seconds, (unsigned long long)l.evaluations);
+        }
+    }
+}
+
+static void put_csv(FILE *f, const comparison *t)
+{
+    fprintf(f, "readings,control_x,control_y,method,contender,runs,error,least,greatest,error_non,error_as_printed,seam_gap,evaluations,seconds\n");
+    for (size_t c = 0; c < t->ncases; c++)
+        for (size_t m = 0; m < lines_of_case(t); m++) {
+            const line l = pick(t, c, m);
+            fprintf(f, "%s,%zu,%zu,%s,%s,%zu,%.17g,%.17g,%.17g,", l.c->faithful ? "faithful" : "default", l.c->control[0], l.c->control[1],
+                    cli_method_name(l.c->method), l.contender, l.runs, l.error, l.least, l.greatest);
+            if (m < 3)
+                fprintf(f, "%.17g", l.non);
+            fprintf(f, ",%.17g,%.17g,%llu,%.6f\n", l.counted, l.gap, (unsigned long long)l.evaluations, l.seconds);
+        }
+}
+
+static json_t *row_of(const line *l, int is_fit)
+{
+    json_t *o = json_pack("{s:s, s:[I,I], s:s, s:s, s:I, s:f, s:f, s:f, s:f, s:f, s:I, s:f}", "readings", l->c->faithful ? "faithful" : "default",
+                          "control", (json_int_t)l->c->control[0], (json_int_t)l->c->control[1], "method", cli_method_name(l->c->method), "contender",
+                          l->contender, "runs", (json_int_t)l->runs, "error", l->error, "least", l->least, "greatest", l->greatest, "error_as_printed",
+                          l->counted, "seam_gap", l->gap, "evaluations", (json_int_t)l->evaluations, "seconds", l->seconds);
+    if (o && is_fit)
+        json_object_set_new(o, "error_non", json_real(l->non));
+    return o;
+}
+
+static json_t *to_json(const comparison *t, const cli_run *run)
+{
+    json_t *rows = json_array();
+
+    for (size_t c = 0; rows && c < t->ncases; c++)
+        for (size_t m = 0; m < lines_of_case(t); m++) {
+            const line l = pick(t, c, m);
+            json_array_append_new(rows, row_of(&l, m < 3));
+        }
+    return json_pack("{s:s, s:i, s:s, s:I, s:o, s:O, s:s, s:I, s:o}", "format", "etalon-comparison", "version", 1, "cloud", t->cloud, "points",
+                     (json_int_t)t->points, "seed", json_sprintf("%llu", (unsigned long long)run->seed), "som", t->som, "start",
+                     cli_approach_name(t->options->start), "generations", (json_int_t)t->options->refiner.generations, "rows", rows);
+}
+
+/* ---- baseline ------------------------------------------------------------------------------------------------------------ */
+
+/* Ceres is not of the bit-for-bit class: its figures may move by this share. */
+static const double ceres_tolerance = 1e-6;
+
+static int same_number(double a, double b, double tolerance)
+{
+    return fabs(a - b) <= tolerance * fmax(fabs(a), fabs(b));
+}
+
+/* The first figure of a row that differs from the baseline's, or null. */
+static const char *row_differs(const json_t *now, const json_t *then)
+{
+    static const char *const words[] = { "readings", "control", "method", "contender", "runs", "evaluations" };
+    static const char *const figures[] = { "error", "least", "greatest", "error_as_printed", "seam_gap" };
+    const char *contender = json_string_value(json_object_get(now, "contender"));
+    const int ceres = strncmp(contender, "ceres", 5) == 0;
+
+    for (size_t k = 0; k < sizeof words / sizeof words[0] - (ceres ? 1 : 0); k++)
+        if (!json_equal(json_object_get(now, words[k]), json_object_get(then, words[k])))
+            return words[k];
+    for (size_t k = 0; k < sizeof figures / sizeof figures[0]; k++) {
+        const json_t *b = json_object_get(then, figures[k]);
+        if (!json_is_number(b)
+            || !same_number(json_number_value(json_object_get(now, figures[k])), json_number_value(b), ceres ? ceres_tolerance : 0))
+            return figures[k];
+    }
+    return NULL;
+}
+
+static et_status against_baseline(const json_t *table, const char *path, et_message *message)
+{
+    json_error_t error;
+    json_t *then = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+    const json_t *a = json_object_get(table, "rows"), *b = json_object_get(then, "rows");
+    size_t different = 0;
+
+    if (!json_is_array(b)) {
+        json_decref(then);
+        return et_status_fail(message, then ? ET_EFORMAT : ET_EIO, "%s:%d: %s", path, error.line, then ? "no table of a comparison" : error.text);
+    }
+    for (size_t k = 0; k < json_array_size(a) || k < json_array_size(b); k++) {
+        const json_t *x = json_array_get(a, k), *y = json_array_get(b, k);
+        const char *what = x && y ? row_differs(x, y) : "existence";
+        if (what) {
+            different++;
+            fprintf(stderr, "etalon compare: row %zu differs from the baseline in its %s\n", k + 1, what);
+        }
+    }
+    json_decref(then);
+    return different ? et_status_fail(message, ET_EDIFFER, "%zu rows differ from %s", different, path) : ET_OK;
+}
+
+/* ---- delivery ------------------------------------------------------------------------------------------------------------ */
+
+et_status compare_deliver(const comparison *t, const cli_run *run, et_message *message)
+{
+    const compare_options *o = t->options;
+    json_t *table = to_json(t, run);
+    et_file file;
+    et_status status;
+
+    if (!table)
+        return et_status_fail(message, ET_ENOMEM, "not enough memory");
+    if (o->format == COMPARE_JSON && strcmp(o->output, "-") == 0) {
+        status = cli_print(table, message);
+    } else if (o->format == COMPARE_JSON) {
+        status = cli_write_json(o->output, table, message);
+    } else {
+        status = et_file_create(&file, o->output, message);
+        if (status == ET_OK) {
+            if (o->format == COMPARE_CSV)
+                put_csv(file.stream, t);
+            else
+                put_text(file.stream, t, run);
+            status = et_file_commit(&file, message);
+        }
+    }
+    if (status == ET_OK && o->baseline)
+        status = against_baseline(table, o->baseline, message);
+    json_decref(table);
+    return status;
+}
