@@ -222,25 +222,259 @@ void et_surface_ders(et_vec3 D[6], const et_surface *s, double u, double v, doub
 
 /* ---- many points ---- */
 
+enum { CELLS = 1024, BLOCK = 64 };
+
+/* The span of many parameters: the domain is cut into equal cells; first[c] is a span that begins before every parameter of cell c. */
+typedef struct {
+    const double *u;
+    size_t nu, p, last;
+    double lo, hi, inverse;
+    int tabled;
+    uint16_t first[CELLS];
+} finder;
+
+/* Never decreasing in x, because each operation rounds monotonically: so knots of earlier cells lie before x. */
+static int cell(const finder *f, double x)
+{
+    int c = (int)((x - f->lo) * f->inverse);
+    return c < CELLS ? c : CELLS - 1;
+}
+
+static void finder_init(finder *f, const double *u, size_t nu, size_t p, size_t n)
+{
+    f->u = u;
+    f->nu = nu;
+    f->p = p;
+    f->lo = u[p];
+    f->hi = u[nu - p - 1];
+    f->last = et_knots_span(u, nu, p, f->hi);
+    f->inverse = CELLS / (f->hi - f->lo);
+    f->tabled = n >= CELLS && nu <= UINT16_MAX && isfinite(f->inverse);
+    size_t k = p;
+    for (int c = 0; f->tabled && c < CELLS; c++) {
+        while (k < f->last && cell(f, u[k + 1]) < c) {
+            k++;
+        }
+        f->first[c] = (uint16_t)k;
+    }
+}
+
+/* et_knots_span(u, nu, p, x) for x in the domain. */
+static size_t find(const finder *f, double x)
+{
+    if (!f->tabled) {
+        return et_knots_span(f->u, f->nu, f->p, x);
+    }
+    if (!(x < f->hi)) {
+        return f->last;
+    }
+    size_t k = f->first[cell(f, x)];
+    while (f->u[k + 1] <= x) {
+        k++;
+    }
+    return k;
+}
+
+/* The cubic functions of BLOCK parameters at once: knot distances, and values N[r][k] of the r-th function at the k-th parameter. */
+typedef struct {
+    size_t span[BLOCK];
+    double L1[BLOCK], L2[BLOCK], L3[BLOCK], R1[BLOCK], R2[BLOCK], R3[BLOCK];
+    double N[4][BLOCK];
+    int ends;
+} cubics;
+
+static double clamp(double x, double lo, double hi)
+{
+    return x < lo ? lo : x > hi ? hi : x;
+}
+
+/* Parameters 0..n-1; the rest of the block repeats the last. */
+static void cubics_distances(cubics *c, const finder *f, const double *x, size_t n)
+{
+    double t[BLOCK];
+    c->ends = 0;
+    for (size_t k = 0; k < BLOCK; k++) {
+        t[k] = clamp(x[k < n ? k : n - 1], f->lo, f->hi);
+        c->span[k] = find(f, t[k]);
+    }
+    for (size_t k = 0; k < BLOCK; k++) {
+        const double *u = f->u + c->span[k];
+        c->L1[k] = t[k] - u[0];
+        c->L2[k] = t[k] - u[-1];
+        c->L3[k] = t[k] - u[-2];
+        c->R1[k] = u[1] - t[k];
+        c->R2[k] = u[2] - t[k];
+        c->R3[k] = u[3] - t[k];
+    }
+    for (size_t k = 0; k < BLOCK; k++) {
+        c->ends |= (c->L3[k] == 0.0) | (c->R3[k] == 0.0);
+    }
+}
+
+/* The operations of et_basis_eval in their order, so its bits; written so that a compiler may take several parameters at a time. */
+static void cubics_values(cubics *c)
+{
+    for (size_t k = 0; k < BLOCK; k++) {
+        double L1 = c->L1[k], L2 = c->L2[k], L3 = c->L3[k], R1 = c->R1[k], R2 = c->R2[k], R3 = c->R3[k];
+        double a = 1.0 / (R1 + L1);
+        double n0 = R1 * a, n1 = L1 * a;
+        a = n0 / (R1 + L2);
+        double b = n1 / (R2 + L1);
+        n0 = R1 * a;
+        n1 = L2 * a + R2 * b;
+        double n2 = L1 * b;
+        a = n0 / (R1 + L3);
+        b = n1 / (R2 + L2);
+        double d = n2 / (R3 + L1);
+        c->N[0][k] = R1 * a;
+        c->N[1][k] = L3 * a + R2 * b;
+        c->N[2][k] = L2 * b + R3 * d;
+        c->N[3][k] = L1 * d;
+    }
+    for (size_t k = 0; c->ends && k < BLOCK; k++) {
+        for (size_t r = 0; r < 4 && (c->L3[k] == 0.0 || c->R3[k] == 0.0); r++) {
+            c->N[r][k] = r == (c->L3[k] == 0.0 ? 0u : 3u) ? 1.0 : 0.0;
+        }
+    }
+}
+
+/* What contract_u and contract_v do for 4 x 4 polynomial terms, in three passes over a block; memory between them, so that a compiler may take
+ * four coordinates at a time: the twelve coordinates of a row of the net lie side by side. */
+typedef struct { double T[12 * BLOCK + 4], S[4 * BLOCK]; } bicubics;
+
+static void bicubics_columns(bicubics *restrict b, const et_vec3 *restrict net, size_t nv, const cubics *restrict u, const cubics *restrict v, size_t n)
+{
+    size_t step = 3 * nv;
+    for (size_t k = 0; k < n; k++) {
+        const double *P = &net[(u->span[k] - 3) * nv + v->span[k] - 3].x;
+        double N0 = u->N[0][k], N1 = u->N[1][k], N2 = u->N[2][k], N3 = u->N[3][k];
+        double *T = b->T + 12 * k;
+        for (size_t c = 0; c < 12; c++) {
+            T[c] = N0 * P[c] + N1 * P[step + c] + N2 * P[2 * step + c] + N3 * P[3 * step + c];
+        }
+    }
+}
+
+/* The fourth coordinate is the next point's and is dropped. */
+static void bicubics_sums(bicubics *restrict b, const cubics *restrict v, size_t n)
+{
+    for (size_t k = 0; k < n; k++) {
+        const double *T = b->T + 12 * k;
+        double M0 = v->N[0][k], M1 = v->N[1][k], M2 = v->N[2][k], M3 = v->N[3][k];
+        double *S = b->S + 4 * k;
+        for (size_t c = 0; c < 4; c++) {
+            S[c] = M0 * T[c] + M1 * T[c + 3] + M2 * T[c + 6] + M3 * T[c + 9];
+        }
+    }
+}
+
+static void points_bicubic(et_vec3 *S, const et_surface *s, const finder *fu, const finder *fv, const double *u, const double *v, size_t n)
+{
+    cubics cu, cv;
+    bicubics b;
+    b.T[12 * BLOCK] = 0.0;
+    for (size_t from = 0; from < n; from += BLOCK) {
+        size_t m = n - from < BLOCK ? n - from : BLOCK;
+        cubics_distances(&cu, fu, u + from, m);
+        cubics_distances(&cv, fv, v + from, m);
+        cubics_values(&cu);
+        cubics_values(&cv);
+        bicubics_columns(&b, s->points, s->nv, &cu, &cv, m);
+        bicubics_sums(&b, &cv, m);
+        for (size_t k = 0; k < m; k++) {
+            S[from + k] = (et_vec3){b.S[4 * k], b.S[4 * k + 1], b.S[4 * k + 2]};
+        }
+    }
+}
+
 void et_surface_points(et_vec3 *S, const et_surface *s, const double *u, const double *v, size_t n, double *work, size_t nwork)
 {
+    finder fu, fv;
+    if (n >= BLOCK && s->p == 3 && s->q == 3 && !s->weights) {
+        finder_init(&fu, s->u, s->nu + 4, 3, n);
+        finder_init(&fv, s->v, s->nv + 4, 3, n);
+        points_bicubic(S, s, &fu, &fv, u, v, n);
+        return;
+    }
     for (size_t k = 0; k < n; k++) {
         S[k] = et_surface_point(s, u[k], v[k], work, nwork);
     }
 }
 
-et_status et_surface_grid(et_vec3 *S, const et_surface *s, const double *a, size_t na, const double *b, size_t nb)
+/* Basis values and spans of the parameters b, and room for the sums of one line. */
+typedef struct {
+    double *M, *N, *basis;
+    size_t *span;
+    homogeneous *T;
+    size_t lo, hi, nbasis;                /* columns lo .. hi-1 of the net are met */
+} lines;
+
+static void lines_free(lines *l)
 {
-    size_t nwork = et_surface_work(s);
-    double *work = et_size_array(nwork, sizeof *work);
-    if (!work) {
+    free(l->M);
+    free(l->N);
+    free(l->basis);
+    free(l->span);
+    free(l->T);
+}
+
+static et_status lines_new(lines *l, const et_surface *s, const double *b, size_t nb)
+{
+    size_t n = s->q + 1;
+    *l = (lines){.lo = s->nv, .nbasis = basis_work(s)};
+    if (et_size_mul(&n, n, sizeof(double)) != ET_OK) {
         return ET_ENOMEM;
     }
-    for (size_t i = 0; i < na; i++) {
+    l->M = et_size_array(nb, n);
+    l->N = et_size_array(s->p + 1, sizeof(double));
+    l->basis = et_size_array(l->nbasis, sizeof(double));
+    l->span = et_size_array(nb, sizeof(size_t));
+    l->T = et_size_array(s->nv, sizeof(homogeneous));
+    if (!l->M || !l->N || !l->basis || !l->span || !l->T) {
+        lines_free(l);
+        return ET_ENOMEM;
+    }
+    for (size_t j = 0; j < nb; j++) {
+        size_t k = et_knots_span(s->v, s->nv + s->q + 1, s->q, b[j]);
+        et_basis_eval(l->M + j * (s->q + 1), s->v, s->nv + s->q + 1, s->q, k, b[j], l->basis, l->nbasis);
+        l->span[j] = k - s->q;
+        l->lo = k - s->q < l->lo ? k - s->q : l->lo;
+        l->hi = k + 1 > l->hi ? k + 1 : l->hi;
+    }
+    return ET_OK;
+}
+
+/* contract_v for each b, unrolled for cubics. */
+static void line_cubic(et_vec3 *S, const lines *l, size_t nb)
+{
+    for (size_t j = 0; j < nb; j++) {
+        const double *M = l->M + 4 * j, *T = &l->T[l->span[j]].x;
+        double t[4];
+        for (size_t c = 0; c < 4; c++) {
+            t[c] = M[0] * T[c] + M[1] * T[c + 4] + M[2] * T[c + 8] + M[3] * T[c + 12];
+        }
+        S[j] = (et_vec3){t[0], t[1], t[2]};
+    }
+}
+
+et_status et_surface_grid(et_vec3 *S, const et_surface *s, const double *a, size_t na, const double *b, size_t nb)
+{
+    lines l;
+    if (lines_new(&l, s, b, nb) != ET_OK) {
+        return ET_ENOMEM;
+    }
+    for (size_t i = 0; i < na && nb > 0; i++) {
+        size_t k = et_knots_span(s->u, s->nu + s->p + 1, s->p, a[i]);
+        et_basis_eval(l.N, s->u, s->nu + s->p + 1, s->p, k, a[i], l.basis, l.nbasis);
+        contract_u(l.T + l.lo, l.hi - l.lo, l.N, s, (k - s->p) * s->nv + l.lo);
+        if (s->q == 3 && !s->weights) {
+            line_cubic(S + i * nb, &l, nb);
+            continue;
+        }
         for (size_t j = 0; j < nb; j++) {
-            S[i * nb + j] = et_surface_point(s, a[i], b[j], work, nwork);
+            S[i * nb + j] = project(contract_v(l.T + l.span[j], l.M + j * (s->q + 1), s->q), s->weights != NULL);
         }
     }
-    free(work);
+    lines_free(&l);
     return ET_OK;
 }
