@@ -4,6 +4,7 @@
  * check --replay FILE...                               one case per file; the property is the file's name up to the first '.'
  * check --shrink FILE...                               the same, and a failing one is shrunk to NAME.fail
  * check --golden FILE...                               rows of golden/MODULE.tsv
+ * check --bite FILE...                                 golden rows altered by an ulp: is it noticed?
  * check --list                                         the names of the properties
  */
 #include "rows.h"
@@ -25,13 +26,14 @@ typedef struct {
     shrinker s;
     verdict result;
     bool done;
-    size_t runs, skipped, passed, failed;
+    size_t runs, skipped, passed, failed, values, missed;
 } board;
 
 typedef struct { const property *p; board *b; uint64_t seed; size_t runs; const uint8_t *bytes; size_t nbytes; const char *path; } job;
 
 static board *shared;
 static bool verbose;
+static unsigned seconds;                 /* a property may take, ET_SECONDS */
 static size_t passed, failed;
 static char program_dir[PATH];
 
@@ -48,7 +50,7 @@ static board *share(size_t size)
 }
 
 /* Do the work in a child; its wait status. A child that ends well has set done. */
-static int apart(void (*work)(job *j), job *j, unsigned seconds)
+static int apart(void (*work)(job *j), job *j, unsigned limit)
 {
     int status = -1;
     pid_t child;
@@ -57,7 +59,7 @@ static int apart(void (*work)(job *j), job *j, unsigned seconds)
     fflush(stdout);
     child = fork();
     if (child == 0) {
-        alarm(seconds);
+        alarm(limit);
         work(j);
         j->b->done = true;
         exit(0);
@@ -199,7 +201,7 @@ static void clear_board(board *b)
 {
     gen_clear(&b->g);
     b->result = PASS;
-    b->runs = b->skipped = b->passed = b->failed = 0;
+    b->runs = b->skipped = b->passed = b->failed = b->values = b->missed = 0;
 }
 
 static void tell_labels(const board *b)
@@ -214,7 +216,7 @@ static void random_property(const property *p, uint64_t seed, size_t runs)
     const char *how;
 
     clear_board(shared);
-    how = ending(shared, apart(work_random, &j, SECONDS));
+    how = ending(shared, apart(work_random, &j, seconds));
     if (how || shared->result == FAIL) {
         failed++;
         printf("FAIL %s seed %llu case %zu%s%s\n", p->name, (unsigned long long)seed, shared->runs, how ? ": " : "", how ? how : "");
@@ -255,7 +257,7 @@ static void replay(const char *path, bool shrinking)
         return;
     }
     clear_board(shared);
-    how = ending(shared, apart(work_bytes, &j, SECONDS));
+    how = ending(shared, apart(work_bytes, &j, seconds));
     if (how || shared->result == FAIL) {
         failed++;
         printf("FAIL %s%s%s\n", path, how ? ": " : "", how ? how : "");
@@ -266,10 +268,10 @@ static void replay(const char *path, bool shrinking)
     }
 }
 
-static void work_golden(job *j)
+static void each_row(job *j, void (*what)(job *j, char *line))
 {
     enum { LINE = 1 << 20 };
-    char *line = malloc(LINE), what[ROW_WHAT];
+    char *line = malloc(LINE);
     FILE *f = fopen(j->path, "r");
 
     if (!f || !line) {
@@ -277,26 +279,52 @@ static void work_golden(job *j)
         printf("FAIL %s: cannot be read\n", j->path);
     }
     for (size_t n = 1; f && line && fgets(line, LINE, f); n++) {
-        if (line[0] == '#' || line[strspn(line, " \t\r\n")] == '\0')
-            continue;
         j->b->runs = n;
-        const bool ok = row_run(j->path, n, line, what) == PASS;
-        j->b->passed += ok;
-        j->b->failed += !ok;
-        printf("%s %s:%zu %s\n", ok ? "ok" : "FAIL", j->path, n, what);
+        if (line[0] != '#' && line[strspn(line, " \t\r\n")] != '\0')
+            what(j, line);
     }
     free(line);
     if (f)
         fclose(f);
 }
 
-static void golden_file(const char *path)
+static void golden_row(job *j, char *line)
+{
+    char what[ROW_WHAT];
+    const bool ok = row_run(j->path, j->b->runs, line, what) == PASS;
+
+    j->b->passed += ok;
+    j->b->failed += !ok;
+    printf("%s %s:%zu %s\n", ok ? "ok" : "FAIL", j->path, j->b->runs, what);
+}
+
+static void bite_row(job *j, char *line)
+{
+    j->b->values += row_bite(j->path, j->b->runs, line, &j->b->missed);
+}
+
+static void work_golden(job *j)
+{
+    each_row(j, golden_row);
+}
+
+static void work_bite(job *j)
+{
+    board *b = j->b;
+
+    each_row(j, bite_row);
+    b->failed += b->missed > 0;
+    b->passed += b->missed == 0;
+    printf("%s %s: %zu of %zu altered values noticed\n", b->missed ? "FAIL" : "ok", j->path, b->values - b->missed, b->values);
+}
+
+static void table(const char *path, void (*work)(job *j))
 {
     job j = { .b = shared, .path = path };
     const char *how;
 
     clear_board(shared);
-    how = ending(shared, apart(work_golden, &j, SECONDS));
+    how = ending(shared, apart(work, &j, seconds));
     passed += shared->passed;
     failed += shared->failed + (how != NULL);
     if (how)
@@ -346,6 +374,16 @@ static void list(void)
         puts(p->name);
 }
 
+static void golden_table(const char *path)
+{
+    table(path, work_golden);
+}
+
+static void bite_table(const char *path)
+{
+    table(path, work_bite);
+}
+
 static void files(char **argv, void (*each)(const char *path))
 {
     while (*argv)
@@ -364,7 +402,7 @@ static void replay_shrink(const char *path)
 
 static int usage(void)
 {
-    fputs("check [-v] [-n RUNS] [-s SEED] [NAME | MODULE ...]\ncheck [-v] --replay | --shrink | --golden FILE...\ncheck --list\n", stderr);
+    fputs("check [-v] [-n RUNS] [-s SEED] [NAME | MODULE ...]\ncheck [-v] --replay | --shrink | --golden | --bite FILE...\ncheck --list\n", stderr);
     return 2;
 }
 
@@ -373,6 +411,7 @@ int main(int argc, char **argv)
     unsigned long long runs = setting("ET_RUNS", RUNS), seed = setting("ET_SEED", 1);
     int i = 1;
 
+    seconds = (unsigned)setting("ET_SECONDS", SECONDS);
     snprintf(program_dir, sizeof program_dir, "%.*s", (int)(strrchr(argv[0], '/') ? strrchr(argv[0], '/') - argv[0] : 1),
              strrchr(argv[0], '/') ? argv[0] : ".");
     shared = share(sizeof *shared);
@@ -394,7 +433,9 @@ int main(int argc, char **argv)
     else if (i < argc && strcmp(argv[i], "--shrink") == 0)
         files(argv + i + 1, replay_shrink);
     else if (i < argc && strcmp(argv[i], "--golden") == 0)
-        files(argv + i + 1, golden_file);
+        files(argv + i + 1, golden_table);
+    else if (i < argc && strcmp(argv[i], "--bite") == 0)
+        files(argv + i + 1, bite_table);
     else if (i < argc && argv[i][0] == '-')
         return usage();
     else

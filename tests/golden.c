@@ -7,11 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-static size_t faults, compared;          /* of the row under test */
+static size_t faults;                    /* of the row under test */
+static bool quiet;
 
 static bool tell(const row *r, const char *what, size_t i)
 {
-    printf("  %s:%zu: %s %zu\n", r->file, r->line, what, i);
+    if (!quiet)
+        printf("  %s:%zu: %s %zu\n", r->file, r->line, what, i);
     faults++;
     return false;
 }
@@ -72,9 +74,14 @@ static bool same_bits(double a, double b)
     return memcmp(&a, &b, sizeof a) == 0 || (isnan(a) && isnan(b));
 }
 
+static bool is_residual(const row *r)
+{
+    return strcmp(r->class, "residual") == 0;
+}
+
 static bool agrees(const row *r, double got, double want)
 {
-    if (strcmp(r->class, "residual") == 0)
+    if (is_residual(r))
         return fabs(got) <= r->tolerance;
     if (same_bits(got, want))
         return true;
@@ -91,13 +98,13 @@ bool row_is(const row *r, size_t i, double got)
 {
     double want = 0;
 
-    compared++;
-    if (i >= r->nwant || !number(r->want[i], &want))
+    if (!is_residual(r) && (i >= r->nwant || !number(r->want[i], &want)))
         return tell(r, "missing or malformed wanted value", i);
     if (agrees(r, got, want))
         return true;
-    printf("  %s:%zu: wanted value %zu is %a (%.17g), got %a (%.17g), %.0f ulps apart\n", r->file, r->line, i, want, want, got, got,
-           isnan(got) || isnan(want) ? 0.0 : ulps(got, want));
+    if (!quiet)
+        printf("  %s:%zu: wanted value %zu is %a (%.17g), got %a (%.17g), %.0f ulps apart\n", r->file, r->line, i, want, want, got, got,
+               isnan(got) || isnan(want) ? 0.0 : ulps(got, want));
     faults++;
     return false;
 }
@@ -106,12 +113,12 @@ bool row_is_size(const row *r, size_t i, size_t got)
 {
     size_t want = 0;
 
-    compared++;
     if (i >= r->nwant || !count(r->want[i], &want))
         return tell(r, "missing or malformed wanted count", i);
     if (got == want)
         return true;
-    printf("  %s:%zu: wanted count %zu is %zu, got %zu\n", r->file, r->line, i, want, got);
+    if (!quiet)
+        printf("  %s:%zu: wanted count %zu is %zu, got %zu\n", r->file, r->line, i, want, got);
     faults++;
     return false;
 }
@@ -176,20 +183,72 @@ static const golden *find(const char *name)
     return NULL;
 }
 
+static verdict compare(const row *r, const golden *t)
+{
+    verdict v;
+
+    faults = 0;
+    v = t->run(r);
+    return v == PASS && faults > 0 ? FAIL : v;
+}
+
+static void release(row *r)
+{
+    free(r->arg);
+    free(r->want);
+}
+
 verdict row_run(const char *file, size_t lineno, char *line, char what[ROW_WHAT])
 {
     row r = { .file = file, .line = lineno };
     const bool fine = parse(&r, line);
     const golden *t = find(r.function);
-    verdict v = FAIL;
+    const verdict v = fine && t ? compare(&r, t) : FAIL;
 
     snprintf(what, ROW_WHAT, "%s (%s)%s", r.function, r.reason, !fine ? ": malformed row" : !t ? ": no such golden check" : "");
-    faults = compared = 0;
-    if (fine && t)
-        v = t->run(&r);
-    if (v == PASS && faults > 0)
-        v = FAIL;
-    free(r.arg);
-    free(r.want);
+    release(&r);
     return v;
+}
+
+/* The nearest wanted value that the class must not let through. */
+static void alter(const row *r, const char *text, char altered[ROW_ALTERED])
+{
+    double x = 0;
+    const bool is_number = number(text, &x), loose = r->tolerance > 0;
+
+    if (!is_number || isnan(x))
+        snprintf(altered, ROW_ALTERED, "%s", is_number ? "0" : "?");
+    else if (!loose && text[strspn(text, "0123456789")] == '\0')
+        snprintf(altered, ROW_ALTERED, "%.0f", x + 1);
+    else if (strcmp(r->class, "abs") == 0)
+        snprintf(altered, ROW_ALTERED, "%a", nextafter(x + 3 * r->tolerance, INFINITY));
+    else {
+        for (double k = 2 * r->tolerance + 1; k > 0; k--)
+            x = nextafter(x, x > 0 ? (isinf(x) ? 0 : INFINITY) : -INFINITY);
+        snprintf(altered, ROW_ALTERED, "%a", x);
+    }
+}
+
+size_t row_bite(const char *file, size_t lineno, char *line, size_t *missed)
+{
+    row r = { .file = file, .line = lineno };
+    const bool fine = parse(&r, line);
+    const golden *t = find(r.function);
+    const size_t n = fine && t && !is_residual(&r) ? r.nwant : 0;
+    char altered[ROW_ALTERED];
+
+    for (size_t i = 0; i < n; i++) {
+        char *was = r.want[i];
+        alter(&r, was, altered);
+        r.want[i] = altered;
+        quiet = true;
+        if (compare(&r, t) == PASS) {
+            printf("  %s:%zu: %s does not notice wanted value %zu altered from %s to %s\n", file, lineno, r.function, i, was, altered);
+            ++*missed;
+        }
+        quiet = false;
+        r.want[i] = was;
+    }
+    release(&r);
+    return n;
 }

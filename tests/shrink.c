@@ -266,6 +266,21 @@ static bool move(shrinker *s, size_t i, size_t j)
     return any;
 }
 
+/* An earlier draw to 0 or one less, a later one as large as it gets: factors of one product. */
+static bool trade(shrinker *s, size_t i, size_t j)
+{
+    for (unsigned less = 0; less < 2; less++) {
+        if (j >= s->nbest || s->best[i].value == 0)
+            return false;
+        copy(s);
+        trial.v[i] = less ? trial.v[i] - 1 : 0;
+        trial.v[j] = UINT64_MAX;
+        if (attempt(s))
+            return true;
+    }
+    return false;
+}
+
 static bool swap(shrinker *s, size_t i, size_t j)
 {
     uint64_t t;
@@ -292,6 +307,8 @@ static bool pairs(shrinker *s)
                 any |= move(s, i, i + d);
             if (i + d < s->nbest && s->best[i].value > 0)
                 any |= lower_both(s, i, i + d);
+            if (i + d < s->nbest && s->best[i].value > 0)
+                any |= trade(s, i, i + d);
         }
     return any;
 }
@@ -317,6 +334,38 @@ static bool order_spans(shrinker *s)
     return any;
 }
 
+/* One draw of a few kinds to kind v, k draws after it gone; and the draw then next to it unchanged, at its largest, or small. */
+static bool to_kind(shrinker *s, size_t i, uint64_t v, size_t k)
+{
+    const uint64_t small = v == 0 ? 16 : 0;
+
+    for (uint64_t next = 0; next <= small + 1; next++) {
+        if (i >= s->nbest || i + 1 + k > s->nbest)
+            return false;
+        copy(s);
+        trial.v[i] = v;
+        delete(i + 1, i + 1 + k);
+        if (next > 0 && i + 1 < trial.n)
+            trial.v[i + 1] = next == small + 1 ? UINT64_MAX : next;
+        if (attempt(s))
+            return true;
+    }
+    return false;
+}
+
+/* Another kind may need other draws after it, mostly fewer. */
+static bool change_kinds(shrinker *s)
+{
+    bool any = false;
+
+    for (size_t i = s->nbest; i-- > 0 && !spent(s);)
+        for (size_t k = 4; k-- > 0;)
+            for (uint64_t v = 0; i < s->nbest && s->best[i].max < 16 && v <= s->best[i].max; v++)
+                if (v < s->best[i].value || (v > s->best[i].value && k > 0))
+                    any |= to_kind(s, i, v, k);
+    return any;
+}
+
 void shrink(shrinker *s)
 {
     bool again = true;
@@ -330,5 +379,6 @@ void shrink(shrinker *s)
         again |= lower_and_cut(s);
         again |= pairs(s);
         again |= order_spans(s);
+        again = again || change_kinds(s);
     }
 }
