@@ -9,6 +9,8 @@ et_status et_quality_of(et_som_quality *quality, const et_vec3 *weights, size_t 
 
     if (!et_doublenet_valid(net) || nov != et_doublenet_nov(net) || n == 0)
         return ET_EINVAL;
+    if (!winner_bounded(weights, nov) || !winner_bounded(cloud, n))
+        return ET_EINVAL;
     status = winner_new(&w, net);
     if (status)
         return status;

@@ -12,7 +12,7 @@ typedef struct {
     double alpha0, sigma0, tau;           /* tau == 0: alpha and sigma stay as they are */
     double *factor;                       /* by squared distance, below limit */
     size_t *dist2;                        /* the squared distances that occur, ascending */
-    size_t limit, distinct;
+    size_t limit, distinct, within;       /* within: how many of dist2 are below sigma^2 now */
     size_t *reach[2];                     /* reach[K][I]: how many J < ny have I^2 + J^2 + K^2 below sigma^2 ... */
     size_t rows[2];                       /* ... for I < rows[K], beyond which none has */
 } training;
@@ -110,19 +110,14 @@ static et_status training_new(training *s, et_doublenet net, const et_som_option
     return status;
 }
 
-/* alpha(t), sigma(t), and from them the table of factors and the reaches. */
-static void decay(training *s, size_t t)
+/* How far the radius reaches when it takes in squared distances up to `greatest`. */
+static void set_reach(training *s, size_t greatest)
 {
-    const double shrink = s->tau > 0 ? et_real_exp(-((double)t / s->tau)) : 1;
-    const double alpha = s->alpha0 * shrink, sigma = s->sigma0 * shrink, s2 = sigma * sigma;
-
-    for (size_t a = 0; a < s->distinct && (double)s->dist2[a] < s2; a++)
-        s->factor[s->dist2[a]] = alpha * et_real_exp(-((double)s->dist2[a] / (2 * s2)));
     for (size_t k = 0; k < 2; k++) {
         size_t i, j = s->net.ny;
 
         for (i = 0; i < s->net.nx; i++) {
-            while (j > 0 && !((double)(i * i + (j - 1) * (j - 1) + k) < s2))
+            while (j > 0 && i * i + (j - 1) * (j - 1) + k > greatest)
                 j--;
             if (j == 0)
                 break;
@@ -130,6 +125,22 @@ static void decay(training *s, size_t t)
         }
         s->rows[k] = i;
     }
+}
+
+/* alpha(t), sigma(t), and from them the table of factors and the reaches. */
+static void decay(training *s, size_t t)
+{
+    const double shrink = s->tau > 0 ? et_real_exp(-((double)t / s->tau)) : 1;
+    const double alpha = s->alpha0 * shrink, sigma = s->sigma0 * shrink, s2 = sigma * sigma;
+    size_t within = 0;
+
+    while (within < s->distinct && (double)s->dist2[within] < s2) {
+        s->factor[s->dist2[within]] = alpha * et_real_exp(-((double)s->dist2[within] / (2 * s2)));
+        within++;
+    }
+    if (within != s->within)
+        set_reach(s, s->dist2[within - 1]);       /* 0 is always within */
+    s->within = within;
 }
 
 /* Move towards p the classes of row i on one level with j in from .. to; class j stands at array index at + j. */
@@ -184,14 +195,20 @@ static void unload(et_vec3 *weights, const winner_space *w)
     }
 }
 
+static int valid_options(const et_som_options *o)
+{
+    return o->iterations > 0 && o->alpha0 > 0 && o->alpha0 <= 1 && o->sigma0 >= 0 && isfinite(o->sigma0);
+}
+
 et_status et_som_train(et_vec3 *weights, size_t nov, et_som_quality *quality, et_doublenet net, const et_vec3 *cloud, size_t n,
                        const et_som_options *options, et_rng *rng, const et_task *task)
 {
     training s;
     et_status status;
 
-    if (!et_doublenet_valid(net) || nov != et_doublenet_nov(net) || n == 0 || options->iterations == 0 || !(options->alpha0 > 0) ||
-        !(options->alpha0 <= 1) || !(options->sigma0 >= 0) || !isfinite(options->sigma0))
+    if (!et_doublenet_valid(net) || nov != et_doublenet_nov(net) || n == 0 || !valid_options(options))
+        return ET_EINVAL;
+    if (!winner_bounded(weights, nov) || !winner_bounded(cloud, n))
         return ET_EINVAL;
     status = training_new(&s, net, options);
     if (status)

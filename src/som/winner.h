@@ -1,8 +1,8 @@
 /* winner: the search for the nearest class and the next nearest, and the tally of what it finds; private to this room, shared by som and quality.
  *
- * Weights are kept as three arrays (x, y, z), padded with infinities to whole chunks.  A chunk is ROWS rows of LANES classes: loops of such
- * fixed lengths become vector instructions even under the most timid cost model, and whatever the vector's width the arithmetic is
- * that of one class after the other: the squared distance is ((dx*dx + dy*dy) + dz*dz), in this order.
+ * Weights are kept as three arrays (x, y, z), padded with infinities, and seen as rows of LANES classes: class c stands in lane
+ * (c - 1) mod LANES.  Loops over the lanes have a fixed length and no branch, so they become vector instructions under any cost model; and
+ * whatever the vector's width the arithmetic is that of one class after the other: the squared distance is ((dx*dx + dy*dy) + dz*dz).
  *
  * Nearest means least squared distance as computed; equal ones go to the lowest class.
  */
@@ -14,14 +14,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { WINNER_LANES = 8, WINNER_ROWS = 4, WINNER_CHUNK = WINNER_LANES * WINNER_ROWS };
+enum { WINNER_LANES = 16, WINNER_CHUNK = 2 * WINNER_LANES };       /* two rows at a time */
 
 typedef struct {
     double *memory;                       /* all arrays below but index */
     double *x, *y, *z;                    /* weights of class c at c - 1 */
     double *d;                            /* squared distances to the last input */
-    double *least;                        /* the least d of each lane of each chunk */
-    size_t classes, chunks;
+    double least[WINNER_LANES];           /* the least d of each lane */
+    size_t classes, padded;
     et_index *index;                      /* index vectors of the classes */
 } winner_space;
 
@@ -29,6 +29,15 @@ typedef struct {
     size_t first, second;                 /* array indices: class - 1 */
     double d2;                            /* squared distance of the first */
 } winner_pair;
+
+/* Squares of differences of such numbers cannot overflow, and no NaN is among them. */
+static int winner_bounded(const et_vec3 *points, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        if (!(fabs(points[i].x) <= 0x1p500 && fabs(points[i].y) <= 0x1p500 && fabs(points[i].z) <= 0x1p500))
+            return 0;
+    return 1;
+}
 
 static void winner_free(winner_space *w)
 {
@@ -38,10 +47,10 @@ static void winner_free(winner_space *w)
 
 static et_status winner_new(winner_space *w, et_doublenet net)
 {
-    const size_t classes = et_doublenet_nov(net), chunks = (classes - 1) / WINNER_CHUNK + 1, padded = chunks * WINNER_CHUNK;
+    const size_t classes = et_doublenet_nov(net), padded = ((classes - 1) / WINNER_CHUNK + 1) * WINNER_CHUNK;
     size_t doubles;
 
-    w->memory = et_size_mul(&doubles, 5, padded) ? NULL : et_size_array(doubles, sizeof *w->memory);
+    w->memory = et_size_mul(&doubles, 4, padded) ? NULL : et_size_array(doubles, sizeof *w->memory);
     w->index = et_size_array(classes, sizeof *w->index);
     if (!w->memory || !w->index) {
         winner_free(w);
@@ -51,9 +60,8 @@ static et_status winner_new(winner_space *w, et_doublenet net)
     w->y = w->x + padded;
     w->z = w->y + padded;
     w->d = w->z + padded;
-    w->least = w->d + padded;
     w->classes = classes;
-    w->chunks = chunks;
+    w->padded = padded;
     for (size_t c = 0; c < classes; c++)
         w->index[c] = et_doublenet_index(net, c + 1);
     return ET_OK;
@@ -66,71 +74,77 @@ static void winner_load(winner_space *w, const et_vec3 *weights)
         w->y[c] = weights[c].y;
         w->z[c] = weights[c].z;
     }
-    for (size_t c = w->classes; c < w->chunks * WINNER_CHUNK; c++)
+    for (size_t c = w->classes; c < w->padded; c++)
         w->x[c] = w->y[c] = w->z[c] = INFINITY;
 }
 
-static void winner_distances(const winner_space *w, et_vec3 p)
+static double winner_lesser(double a, double b)
 {
-    for (size_t c = 0; c < w->chunks; c++) {
-        const double *restrict x = w->x + c * WINNER_CHUNK, *restrict y = w->y + c * WINNER_CHUNK, *restrict z = w->z + c * WINNER_CHUNK;
-        double *restrict d = w->d + c * WINNER_CHUNK, *restrict least = w->least + c * WINNER_LANES;
+    return b < a ? b : a;
+}
 
-        for (size_t i = 0; i < WINNER_CHUNK; i++) {
-            const double dx = p.x - x[i], dy = p.y - y[i], dz = p.z - z[i];
+/* Distances of two rows, and the lanes' minima.  Restricted arguments tell the compiler that nothing overlaps. */
+static void winner_rows(double *restrict d, double *restrict least, const double *restrict x, const double *restrict y, const double *restrict z,
+                        et_vec3 p)
+{
+    for (size_t l = 0; l < WINNER_LANES; l++) {
+        const double ax = p.x - x[l], ay = p.y - y[l], az = p.z - z[l], a = ax * ax + ay * ay + az * az;
+        const double bx = p.x - x[l + WINNER_LANES], by = p.y - y[l + WINNER_LANES], bz = p.z - z[l + WINNER_LANES];
+        const double b = bx * bx + by * by + bz * bz, ab = b < a ? b : a;
 
-            d[i] = dx * dx + dy * dy + dz * dz;
-        }
-        for (size_t l = 0; l < WINNER_LANES; l++) {
-            const double a = d[l], b = d[l + WINNER_LANES], e = d[l + 2 * WINNER_LANES], f = d[l + 3 * WINNER_LANES];
-            const double ab = b < a ? b : a, ef = f < e ? f : e;
-
-            least[l] = ef < ab ? ef : ab;
-        }
+        d[l] = a;
+        d[l + WINNER_LANES] = b;
+        least[l] = ab < least[l] ? ab : least[l];
     }
 }
 
-/* The lowest array index of the least squared distance; only the first chunk that holds the minimum is looked through. */
-static size_t winner_lowest(const winner_space *w)
+static void winner_distances(winner_space *w, et_vec3 p)
 {
-    double m[WINNER_LANES];
-    double least;
-    size_t c = 0, i;
+    double least[WINNER_LANES];
 
     for (size_t l = 0; l < WINNER_LANES; l++)
-        m[l] = w->least[l];
-    for (size_t k = 1; k < w->chunks; k++) {
-        const double *restrict row = w->least + k * WINNER_LANES;
-
-        for (size_t l = 0; l < WINNER_LANES; l++)
-            m[l] = row[l] < m[l] ? row[l] : m[l];
-    }
-    least = m[0];
-    for (size_t l = 1; l < WINNER_LANES; l++)
-        least = m[l] < least ? m[l] : least;
-    while (w->least[c] != least)
-        c++;
-    i = c / WINNER_LANES * WINNER_CHUNK;
-    while (w->d[i] != least)
-        i++;
-    return i;
+        least[l] = INFINITY;
+    for (size_t c = 0; c < w->padded; c += WINNER_CHUNK)
+        winner_rows(w->d + c, least, w->x + c, w->y + c, w->z + c, p);
+    for (size_t l = 0; l < WINNER_LANES; l++)
+        w->least[l] = least[l];
 }
 
-/* Put class i out of the running. */
-static void winner_exclude(const winner_space *w, size_t i)
+/* The lowest array index of the least squared distance: only lanes that hold it are looked through. */
+static size_t winner_lowest(const winner_space *w)
 {
-    const size_t chunk = i / WINNER_CHUNK, lane = i % WINNER_LANES;
-    const double *d = w->d + chunk * WINNER_CHUNK + lane;
-    double least = INFINITY;
+    double least = w->least[0];
+    size_t lowest = SIZE_MAX;
+
+    for (size_t l = 1; l < WINNER_LANES; l++)
+        least = winner_lesser(least, w->least[l]);
+    for (size_t l = 0; l < WINNER_LANES; l++)
+        if (w->least[l] == least) {
+            size_t i = l;
+
+            while (w->d[i] != least)
+                i += WINNER_LANES;
+            lowest = i < lowest ? i : lowest;
+        }
+    return lowest;
+}
+
+/* Put the class at i out of the running. */
+static void winner_exclude(winner_space *w, size_t i)
+{
+    const size_t lane = i % WINNER_LANES;
+    double even = INFINITY, odd = INFINITY;
 
     w->d[i] = INFINITY;
-    for (size_t r = 0; r < WINNER_ROWS; r++)
-        least = d[r * WINNER_LANES] < least ? d[r * WINNER_LANES] : least;
-    w->least[chunk * WINNER_LANES + lane] = least;
+    for (size_t c = lane; c < w->padded; c += WINNER_CHUNK) {
+        even = winner_lesser(even, w->d[c]);
+        odd = winner_lesser(odd, w->d[c + WINNER_LANES]);
+    }
+    w->least[lane] = winner_lesser(even, odd);
 }
 
 /* A net has four classes at least, so there is a second. */
-static winner_pair winner_find(const winner_space *w, et_vec3 p)
+static winner_pair winner_find(winner_space *w, et_vec3 p)
 {
     winner_pair pair;
 
