@@ -203,6 +203,14 @@ et_status et_tessellation_write_obj(const char *path, const et_tessellation *mes
     return et_file_commit(&file, message);
 }
 
+/* x rounded to 32 bits.  volatile: gcc 12.2 at -O2 drops the rounding where it vectorises double -> float -> double. */
+static double rounded(double x)
+{
+    volatile float f = (float)x;
+
+    return f;
+}
+
 static unsigned char *put_u32(unsigned char *to, uint32_t x)
 {
     for (int k = 0; k < 4; k++)
@@ -240,7 +248,7 @@ static void put_triangle(unsigned char record[50], const et_tessellation *mesh, 
     for (int k = 0; k < 3; k++) {
         const et_vec3 q = mesh->vertices[mesh->triangles[t][k]];
 
-        p[k] = (et_vec3){(float)q.x, (float)q.y, (float)q.z};
+        p[k] = (et_vec3){rounded(q.x), rounded(q.y), rounded(q.z)};
     }
     to = put_vec3(to, normal_of(p));
     for (int k = 0; k < 3; k++)
