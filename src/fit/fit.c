@@ -686,7 +686,7 @@ static et_status check_options(et_doublenet n, const et_fit_options *o, et_messa
     if (c.nx > n.nx || c.ny > n.ny)
         return et_status_fail(message, ET_EINVAL, "control net %zux%zu is larger than the data %zux%zu", c.nx, c.ny, n.nx, n.ny);
     if (o->p < 1 || o->q < 1 || o->p >= c.nx || o->q >= c.ny)
-        return et_status_fail(message, ET_EINVAL, "degrees %zu and %zu do not suit a control net %zux%zu: each must be at least 1 and less than its side",
+        return et_status_fail(message, ET_EINVAL, "degrees %zu and %zu do not suit a control net %zux%zu: at least 1, less than its side",
                               o->p, o->q, c.nx, c.ny);
     if (o->knots == ET_KNOTRULE_AVERAGING && (c.nx != n.nx || c.ny != n.ny))
         return et_status_fail(message, ET_EINVAL, "averaged knots need as many control points (%zux%zu) as data (%zux%zu)", c.nx, c.ny, n.nx, n.ny);
