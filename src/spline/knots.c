@@ -28,6 +28,7 @@ size_t et_knots_span(const double *u, size_t nu, size_t p, double x)
 {
     size_t lo = p, hi = nu - p - 1;
     double end = u[hi];
+    x = x < u[lo] ? u[lo] : x;
     while (hi - lo > 1) {     /* u[lo] <= x < u[hi], or, at the end of the domain, u[lo] < end <= u[hi] */
         size_t mid = lo + (hi - lo) / 2;
         int right = x < end ? u[mid] <= x : u[mid] < end;

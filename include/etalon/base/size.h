@@ -1,4 +1,4 @@
-/* size: products and sums of sizes that cannot wrap, and arrays allocated through them. */
+/* size: products of sizes that cannot wrap, and arrays allocated through them. */
 #ifndef ETALON_BASE_SIZE_H
 #define ETALON_BASE_SIZE_H
 #include "etalon/base/status.h"
@@ -7,11 +7,21 @@
 extern "C" {
 #endif
 
-/* *product = a * b, or ET_ENOMEM if that exceeds SIZE_MAX. */
+/* *product = a * b, or ET_ENOMEM (and *product as it was) if that exceeds SIZE_MAX. */
+/*@ requires product: \valid(product);
+    assigns  *product;
+    ensures  exact:   \result == ET_OK ==> *product == a * b;
+    ensures  wraps:   \result == ET_ENOMEM ==> a * b > SIZE_MAX && *product == \old(*product);
+    ensures  range:   \result == ET_OK || \result == ET_ENOMEM;
+*/
 et_status et_size_mul(size_t *product, size_t a, size_t b);
 
 /* A new array of count elements of size bytes each, all bytes zero; count == 0 gives a valid pointer to free.
- * Returns null when the product overflows or memory is short.  The caller frees it with free(). */
+ * Returns null when the product overflows or memory is short.  The caller frees it with free().
+ * Golden: none (an address). */
+/*@ assigns \result \from count, size;
+    ensures array: \result == \null || \valid((char *)\result + (0 .. count * size - 1));
+*/
 void *et_size_array(size_t count, size_t size);
 
 #ifdef __cplusplus

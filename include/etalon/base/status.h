@@ -26,14 +26,28 @@ typedef enum {
 enum { ET_MESSAGE_SIZE = 1024 };
 typedef struct { char text[ET_MESSAGE_SIZE]; } et_message;
 
-/* A short English phrase for a status; never null, "unknown status" for values outside the enumeration. */
+/* A short English phrase for a status; never null, "unknown status" for values outside the enumeration.
+ * Golden: none (wording, not a computed value). */
+/*@ assigns \nothing;
+    ensures text: \valid_read(\result) && \result[0] != 0;
+*/
 const char *et_status_text(et_status status);
 
 /* The exit code of the command line for a status: 0, 1 (EDIFFER), 2 (EINVAL), 3 (EFORMAT), 4 (EIO), 5 (ERANK, ENOCONV),
  * 70 (EINTERNAL, ENOMEM), 130 (ESTOPPED); 70 for values outside the enumeration. */
+/*@ assigns \nothing;
+    ensures code:    0 <= \result <= 255;
+    ensures success: \result == 0 <==> status == ET_OK;
+*/
 int et_status_exit(et_status status);
 
-/* Write a formatted sentence (printf's rules, cut at ET_MESSAGE_SIZE - 1 bytes) into message unless it is null; return status. */
+/* Write a formatted sentence (printf's rules, cut at ET_MESSAGE_SIZE - 1 bytes) into message unless it is null; return status.
+ * Golden: none (the text is the C library's printf). */
+/*@ requires message: message == \null || \valid(message);
+    requires format:  \valid_read(format);
+    assigns  message->text[0 .. ET_MESSAGE_SIZE - 1];
+    ensures  status:  \result == status;
+*/
 et_status et_status_fail(et_message *message, et_status status, const char *format, ...);
 
 #ifdef __cplusplus

@@ -14,7 +14,12 @@ extern "C" {
 typedef et_status (*et_task_fn)(void *context, size_t done, size_t total);
 typedef struct { et_task_fn step; void *context; } et_task;
 
-/* ET_OK if task or its callback is null, else what the callback returns. */
+/* ET_OK if task or its callback is null, else what the callback returns for (task->context, done, total); it is called once.
+ * Golden: none (the caller's function decides). */
+/*@ requires task: task == \null || \valid_read(task);
+    requires done: done <= total;
+    ensures  none: task == \null ==> \result == ET_OK;
+*/
 et_status et_task_step(const et_task *task, size_t done, size_t total);
 
 #ifdef __cplusplus

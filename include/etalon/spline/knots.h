@@ -10,14 +10,44 @@
 extern "C" {
 #endif
 
-/* nu >= 2p + 2, all knots finite, non-decreasing, and the domain not empty: u[p] < u[nu-p-1]. */
+/* 1 if nu >= 2p + 2, all knots finite, non-decreasing, the domain not empty: u[p] < u[nu-p-1], u[nu-1] - u[0] does not overflow, and no
+ * two different neighbours are less than 2^-1022 apart (so that no quotient of the basis functions overflows); else 0.
+ * Knots may be repeated as often as one likes. */
+/*@ requires knots:  \valid_read(u + (0 .. nu - 1));
+    assigns  \nothing;
+    ensures  flag:   \result == 0 || \result == 1;
+    ensures  count:  \result == 1 ==> nu >= 2 * p + 2;
+    ensures  finite: \result == 1 ==> \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
+    ensures  sorted: \result == 1 ==> \forall integer i, j; 0 <= i <= j < nu ==> u[i] <= u[j];
+    ensures  domain: \result == 1 ==> u[p] < u[nu - p - 1];
+*/
 int et_knots_valid(const double *u, size_t nu, size_t p);
 
-/* The first and the last p+1 knots are equal: the ends of the control polygon are the ends of the curve. */
+/* 1 if the first and the last p+1 knots are equal (the ends of the control polygon are the ends of the curve), else 0. */
+/*@ requires count:   nu >= 2 * p + 2;
+    requires knots:   \valid_read(u + (0 .. nu - 1));
+    requires finite:  \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
+    requires sorted:  \forall integer i, j; 0 <= i <= j < nu ==> u[i] <= u[j];
+    assigns  \nothing;
+    ensures  clamped: \result == 1 <==> u[0] == u[p] && u[nu - p - 1] == u[nu - 1];
+    ensures  flag:    \result == 0 || \result == 1;
+*/
 int et_knots_clamped(const double *u, size_t nu, size_t p);
 
 /* The span k with u[k] <= x < u[k+1], p <= k <= nu-p-2; at the right end of the domain the last non-empty one (A2.1).
- * x outside the domain is clamped to it.  Requires et_knots_valid. */
+ * x outside the domain is clamped to it.  Binary search, at most 1 + log2(nu - 2p - 1) comparisons.  Requires et_knots_valid. */
+/*@ requires count:  nu >= 2 * p + 2;
+    requires knots:  \valid_read(u + (0 .. nu - 1));
+    requires finite: \is_finite(x) && \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
+    requires sorted: \forall integer i, j; 0 <= i <= j < nu ==> u[i] <= u[j];
+    requires domain: u[p] < u[nu - p - 1];
+    assigns  \nothing;
+    ensures  range:  p <= \result <= nu - p - 2;
+    ensures  span:   u[\result] < u[\result + 1];
+    ensures  inside: u[p] <= x < u[nu - p - 1] ==> u[\result] <= x < u[\result + 1];
+    ensures  right:  x >= u[nu - p - 1] ==> u[\result + 1] == u[nu - p - 1];
+    ensures  left:   x < u[p] ==> u[\result] == u[p];
+*/
 size_t et_knots_span(const double *u, size_t nu, size_t p, double x);
 
 #ifdef __cplusplus

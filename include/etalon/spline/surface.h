@@ -1,4 +1,15 @@
-/* surface: a tensor-product B-spline or NURBS surface (The NURBS Book, sections 3.4 and 4.4). */
+/* surface: a tensor-product B-spline or NURBS surface (The NURBS Book, sections 3.4 and 4.4).
+ *
+ *     S(u,v) = sum_ij N_i,p(u) N_j,q(v) w_ij P_ij / sum_ij N_i,p(u) N_j,q(v) w_ij.
+ *
+ * The order of operations is part of the contract, because every way to a point gives the same bits: with x a coordinate of P_ij, or
+ * fl(w_ij x) and w_ij if there are weights,
+ *     T_j = N_0 x_0j + N_1 x_1j + ...  over u first, for each column j,      S = M_0 T_0 + M_1 T_1 + ...  then over v,
+ * each sum from left to right, each product and sum rounded; last, with weights, the division by the sum for w.
+ *
+ * Parameters outside the domain are clamped to it.  Error of a coordinate of a polynomial surface: at most ((1-u)^-m - 1) sum N M |x|,
+ * m = 7(p + q), barring underflow; a rational one: the same bound for numerator (m+1) and denominator, and one rounding.
+ */
 #ifndef ETALON_SPLINE_SURFACE_H
 #define ETALON_SPLINE_SURFACE_H
 #include "etalon/base/status.h"
@@ -8,8 +19,7 @@
 extern "C" {
 #endif
 
-/* S(u,v) = sum_ij N_i,p(u) N_j,q(v) w_ij P_ij / sum_ij N_i,p(u) N_j,q(v) w_ij.
- * Control point (i, j) stands at points[i*nv + j], i < nu, j < nv.  weights is null for a polynomial surface, else nu*nv
+/* Control point (i, j) stands at points[i*nv + j], i < nu, j < nv.  weights is null for a polynomial surface, else nu*nv
  * positive numbers.  u has nu+p+1 knots, v has nv+q+1. */
 typedef struct {
     size_t p, q;                          /* degrees in u and v */
@@ -19,27 +29,98 @@ typedef struct {
     double *weights;
 } et_surface;
 
-/* Knots valid (et_knots_valid), control points finite, weights null or finite and positive. */
+/* 1 if knots are valid (et_knots_valid), control points finite, weights null or finite and positive; else 0.  A zeroed struct is not valid. */
+/*@ requires s:       \valid_read(s);
+    requires storage: s->u == \null || s->v == \null || s->points == \null ||
+                      (\valid_read(s->u + (0 .. s->nu + s->p)) && \valid_read(s->v + (0 .. s->nv + s->q)) &&
+                       \valid_read(s->points + (0 .. s->nu * s->nv - 1)));
+    assigns  \nothing;
+    ensures  flag:    \result == 0 || \result == 1;
+    ensures  sizes:   \result == 1 ==> s->nu > s->p && s->nv > s->q;
+*/
 int et_surface_valid(const et_surface *s);
 
-/* Storage for the given sizes, all zero; rational != 0 also allocates weights (all 1).  et_surface_free on a zeroed struct does nothing. */
+/* Storage for the given sizes, all zero; rational != 0 also allocates weights (all 1).  What *s held before is not freed.
+ * ET_EINVAL (nu <= p or nv <= q), ET_ENOMEM.
+ * Golden: none (storage). */
+/*@ requires s:     \valid(s);
+    assigns  *s;
+    ensures  sizes: \result == ET_OK ==> s->p == p && s->q == q && s->nu == nu && s->nv == nv;
+    ensures  made:  \result == ET_OK ==> \valid(s->u + (0 .. nu + p)) && \valid(s->v + (0 .. nv + q)) && \valid(s->points + (0 .. nu * nv - 1));
+    ensures  kind:  \result == ET_OK ==> (s->weights == \null <==> rational == 0);
+    ensures  few:   nu <= p || nv <= q ==> \result == ET_EINVAL;
+    ensures  kept:  \result != ET_OK ==> *s == \old(*s);
+*/
 et_status et_surface_new(et_surface *s, size_t p, size_t q, size_t nu, size_t nv, int rational);
+
+/* A copy with storage of its own.  ET_EINVAL (sizes as in et_surface_new), ET_ENOMEM.
+ * Golden: none (a copy). */
+/*@ requires copy:  \valid(copy);
+    requires s:     \valid_read(s);
+    requires apart: \separated(copy, s);
+    assigns  *copy;
+    ensures  sizes: \result == ET_OK ==> copy->p == s->p && copy->q == s->q && copy->nu == s->nu && copy->nv == s->nv;
+    ensures  own:   \result == ET_OK ==> copy->u != s->u && copy->v != s->v && copy->points != s->points;
+    ensures  kept:  \result != ET_OK ==> *copy == \old(*copy);
+*/
 et_status et_surface_copy(et_surface *copy, const et_surface *s);
+
+/* Frees the storage and zeroes the struct; nothing to do for a zeroed one.
+ * Golden: none (no value). */
+/*@ requires s:    \valid(s);
+    assigns  *s;
+    ensures  zero: s->u == \null && s->v == \null && s->points == \null && s->weights == \null && s->nu == 0 && s->nv == 0;
+*/
 void et_surface_free(et_surface *s);
 
-/* Doubles of workspace for every call below. */
+/* Doubles of workspace for every call below.
+ * Golden: none (a size that only has to suffice). */
+/*@ requires s:    \valid_read(s);
+    assigns  \nothing;
+    ensures  room: \result >= 1;
+*/
 size_t et_surface_work(const et_surface *s);
 
-/* One point (A3.5, A4.3). */
+/* One point (A3.5, A4.3).  At the four corners of a clamped polynomial surface the corner control point exactly (a zero may change its sign);
+ * with weights fl(fl(w x) / w), which is x for w a power of two and else within two roundings of it. */
+/*@ requires s:      \valid_read(s);
+    requires finite: \is_finite(u) && \is_finite(v);
+    requires room:   \valid(work + (0 .. nwork - 1));
+    assigns  work[0 .. nwork - 1];
+*/
 et_vec3 et_surface_point(const et_surface *s, double u, double v, double *work, size_t nwork);
 
-/* D[0] = S, D[1] = S_u, D[2] = S_v, D[3] = S_uu, D[4] = S_uv, D[5] = S_vv (A3.6, A4.4). */
+/* D[0] = S, D[1] = S_u, D[2] = S_v, D[3] = S_uu, D[4] = S_uv, D[5] = S_vv (A3.6, A4.4, Eq. 4.20).  D[0] has the bits of et_surface_point;
+ * at inner knots the derivatives are those from the right (et_basis_ders). */
+/*@ requires s:      \valid_read(s);
+    requires D:      \valid(D + (0 .. 5));
+    requires finite: \is_finite(u) && \is_finite(v);
+    requires room:   \valid(work + (0 .. nwork - 1));
+    requires apart:  \separated(D + (0 .. 5), work + (0 .. nwork - 1));
+    assigns  D[0 .. 5], work[0 .. nwork - 1];
+*/
 void et_surface_ders(et_vec3 D[6], const et_surface *s, double u, double v, double *work, size_t nwork);
 
 /* n points at (u[k], v[k]); the same bits as n calls of et_surface_point. */
+/*@ requires s:      \valid_read(s);
+    requires S:      \valid(S + (0 .. n - 1));
+    requires uv:     \valid_read(u + (0 .. n - 1)) && \valid_read(v + (0 .. n - 1));
+    requires finite: \forall integer k; 0 <= k < n ==> \is_finite(u[k]) && \is_finite(v[k]);
+    requires room:   \valid(work + (0 .. nwork - 1));
+    requires apart:  \separated(S + (0 .. n - 1), u + (0 .. n - 1), work + (0 .. nwork - 1)) && \separated(S + (0 .. n - 1), v + (0 .. n - 1));
+    assigns  S[0 .. n - 1], work[0 .. nwork - 1];
+*/
 void et_surface_points(et_vec3 *S, const et_surface *s, const double *u, const double *v, size_t n, double *work, size_t nwork);
 
-/* S[i*nb + j] = S(a[i], b[j]); the same bits as et_surface_point.  Allocates what it needs to reuse basis values and row sums. */
+/* S[i*nb + j] = S(a[i], b[j]); the same bits as et_surface_point.  Allocates what it needs to reuse basis values and column sums: ET_ENOMEM. */
+/*@ requires s:      \valid_read(s);
+    requires S:      \valid(S + (0 .. na * nb - 1));
+    requires ab:     \valid_read(a + (0 .. na - 1)) && \valid_read(b + (0 .. nb - 1));
+    requires finite: (\forall integer i; 0 <= i < na ==> \is_finite(a[i])) && (\forall integer j; 0 <= j < nb ==> \is_finite(b[j]));
+    requires apart:  \separated(S + (0 .. na * nb - 1), a + (0 .. na - 1)) && \separated(S + (0 .. na * nb - 1), b + (0 .. nb - 1));
+    assigns  S[0 .. na * nb - 1];
+    ensures  ends:   \result == ET_OK || \result == ET_ENOMEM;
+*/
 et_status et_surface_grid(et_vec3 *S, const et_surface *s, const double *a, size_t na, const double *b, size_t nb);
 
 #ifdef __cplusplus
