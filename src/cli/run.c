@@ -30,7 +30,8 @@ void cli_signals(void)
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
     action.sa_handler = SIG_IGN;
-    sigaction(SIGPIPE, &action, NULL);
+    sigaction(SIGPIPE, &action, NULL);   /* closed pipe, file too large: errors of the write, not ends of the program */
+    sigaction(SIGXFSZ, &action, NULL);
 }
 
 int cli_stopped(void)

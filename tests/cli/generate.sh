@@ -1,0 +1,42 @@
+#!/bin/sh
+. "$(dirname "$0")/kit"
+for pair in cube:7352 sphere:7082 spindle:7552 oiltank:5942; do
+    kind=${pair%:*} count=${pair#*:}
+    want "$kind" 0 "$etalon" generate "$kind" -o "$kind.xyz"
+    [ "$(grep -vc '^#' "$kind.xyz")" -eq "$count" ] && pass "$kind has $count points" || fail "$kind has $count points"
+done
+head -n 5 cube.xyz | awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' > got
+printf '0.000000 0.000000 1.000000\n0.000000 0.000000 0.971430\n0.028580 0.000000 0.971430\n0.028580 0.000000 1.000000\n0.057150 0.000000 0.971430\n' > printed
+same "cube begins with the printed rows" got printed
+head -n 5 sphere.xyz | awk '{ printf "%.6f %.6f %.6f\n", $1, $2, $3 }' > got
+printf '0.500000 1.000000 0.500000\n0.500000 0.999315 0.473830\n0.498630 0.999315 0.473865\n0.497265 0.999315 0.473975\n0.495905 0.999315 0.474155\n' > printed
+same "sphere begins with the printed rows" got printed
+"$etalon" generate sphere > piped.xyz
+same "standard output is the default" piped.xyz sphere.xyz
+"$etalon" generate sphere --noise 0.01 --outliers 0.1 --seed 5 -o a.xyz && "$etalon" generate sphere --noise 0.01 --outliers 0.1 --seed 5 -o b.xyz
+same "equal seeds, equal noise" a.xyz b.xyz
+"$etalon" generate sphere --noise 0.01 --outliers 0.1 --seed 6 -o b.xyz
+if cmp -s a.xyz b.xyz; then fail "other seed, other noise"; else pass "other seed, other noise"; fi
+want "size" 0 "$etalon" generate sphere --size 9x10 -o small.ply
+[ "$("$etalon" generate sphere --size 9x10 | wc -l)" -eq 92 ] && pass "9 rings of 10 points and two poles" || fail "9 rings of 10 points and two poles"
+says "unknown cloud" 2 "no cloud 'pear'" "$etalon" generate pear
+says "no cloud" 2 "argument is missing" "$etalon" generate
+says "unknown option" 2 "unknown option '--sise'" "$etalon" generate cube --sise 3
+says "bad number" 2 "--noise wants a finite number" "$etalon" generate cube --noise nan
+says "share over one" 2 "outliers must be in" "$etalon" generate cube --outliers 1.5
+says "size too small" 2 "size 1x1" "$etalon" generate cube --size 1
+says "size beyond memory" 70 "." "$etalon" generate cube --size 99999999999
+says "disk full" 4 "cannot write /dev/full" "$etalon" generate cube -o /dev/full
+says "no such folder" 4 "nowhere/x.xyz" "$etalon" generate cube -o nowhere/x.xyz
+cp cube.xyz earlier.xyz
+(ulimit -f 20; "$etalon" generate cube -o cube.xyz > out 2> err); code=$?
+[ $code -eq 4 ] && pass "file size limit is an error of writing" || fail "file size limit is an error of writing" "exit code $code"
+same "and leaves the earlier file" cube.xyz earlier.xyz
+[ "$(ls | grep -c '^\.\|tmp\|part')" -eq 0 ] && pass "no temporary is left" || fail "no temporary is left" "$(ls -a | tr '\n' ' ')"
+"$etalon" generate cube 2> err | head -n 1 > out
+pass "closed pipe does not hang"
+want "help" 0 "$etalon" generate --help
+want "version" 0 "$etalon" --version
+want "no command" 2 "$etalon"
+says "unknown command" 2 "unknown command 'frobnicate'" "$etalon" frobnicate
+finish
