@@ -30,8 +30,8 @@ struct et_objective {
     int known;
     double *net;                          /* control points: [view][row][width] */
     double *sum;                          /* rows contracted along u: [3 control column + coordinate][lane] */
-    double *square;                       /* squared distances: [column][lane] */
-    double *distance;                     /* by data class */
+    double *grid;                         /* distances: [column][lane] */
+    double *distance;                     /* the same by data class */
     /* workspace */
     double *strip;                        /* LANES rows */
     size_t *changed, *dirty;              /* control classes - 1; data classes - 1 */
@@ -64,7 +64,7 @@ static size_t used_lanes(const et_objective *f)
 void et_objective_free(et_objective *f)
 {
     if (!f) return;
-    void *const arrays[] = { f->N, f->M, f->row, f->column, f->rows, f->columns, f->target, f->place, f->class, f->net, f->sum, f->square,
+    void *const arrays[] = { f->N, f->M, f->row, f->column, f->rows, f->columns, f->target, f->place, f->class, f->net, f->sum, f->grid,
                              f->distance, f->strip, f->changed, f->dirty, f->marked };
     for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++) free(arrays[k]);
     free(f);
@@ -97,13 +97,13 @@ static et_status allocate(et_objective *f)
     f->class = et_size_array(places, sizeof(size_t));
     f->net = reals(2, nu, f->width);
     f->sum = reals(3, nv, f->lanes);
-    f->square = reals(places, 1, 1);
+    f->grid = reals(places, 1, 1);
     f->distance = reals(f->nov, 1, 1);
     f->strip = reals(LANES, f->width, 1);
     f->changed = et_size_array(f->n / 3, sizeof(size_t));
     f->dirty = et_size_array(f->nov, sizeof(size_t));
     f->marked = et_size_array(f->nov, 1);
-    return f->N && f->M && f->row && f->column && f->rows && f->columns && f->target && f->place && f->class && f->net && f->sum && f->square
+    return f->N && f->M && f->row && f->column && f->rows && f->columns && f->target && f->place && f->class && f->net && f->sum && f->grid
         && f->distance && f->strip && f->changed && f->dirty && f->marked ? ET_OK : ET_ENOMEM;
 }
 
@@ -244,17 +244,27 @@ static void combine_any(double *restrict t, const double *restrict P, const doub
 
 static void combine_cubic(double *restrict t, const double *restrict P, const double *restrict N, size_t width)
 {
-    const double a = N[0], b = N[1], c = N[2], d = N[3];
     const double *restrict P1 = P + width, *restrict P2 = P1 + width, *restrict P3 = P2 + width;
+    const double a = N[0], b = N[1], c = N[2], d = N[3];
     for (size_t i = 0; i < width; i += LANES)
-        for (size_t k = i; k < i + LANES; k++) t[k] = ((a * P[k] + b * P1[k]) + c * P2[k]) + d * P3[k];
+        for (size_t k = 0; k < LANES; k++) t[i + k] = ((a * P[i + k] + b * P1[i + k]) + c * P2[i + k]) + d * P3[i + k];
 }
 
-/* LANES rows side by side become LANES neighbours in each of `count` rows. */
+/* LANES rows side by side become LANES neighbours in each of `count` rows.  Written out: compilers do not unroll it by themselves. */
 static void transpose(double *restrict out, const double *restrict in, size_t count, size_t width, size_t lanes)
 {
-    for (size_t c = 0; c < count; c++)
-        for (size_t k = 0; k < LANES; k++) out[c * lanes + k] = in[k * width + c];
+    const double *restrict a = in, *restrict b = a + width, *restrict c = b + width, *restrict d = c + width;
+    const double *restrict e = d + width, *restrict f = e + width, *restrict g = f + width, *restrict h = g + width;
+    for (size_t k = 0; k < count; k++, out += lanes) {
+        out[0] = a[k];
+        out[1] = b[k];
+        out[2] = c[k];
+        out[3] = d[k];
+        out[4] = e[k];
+        out[5] = f[k];
+        out[6] = g[k];
+        out[7] = h[k];
+    }
 }
 
 static void contract_u(et_objective *f)
@@ -271,43 +281,46 @@ static void contract_u(et_objective *f)
     }
 }
 
-/* s[k] = sum_l M[l] T[3 l lanes + k] */
-static void along_v(double *restrict s, const double *restrict T, const double *restrict M, size_t q, size_t lanes)
-{
-    for (size_t k = 0; k < LANES; k++) s[k] = M[0] * T[k];
-    for (size_t l = 1; l <= q; l++)
-        for (size_t k = 0; k < LANES; k++) s[k] += M[l] * T[3 * l * lanes + k];
-}
-
-static void along_v_cubic(double *restrict s, const double *restrict T, const double *restrict M, size_t lanes)
-{
-    const double *restrict T1 = T + 3 * lanes, *restrict T2 = T1 + 3 * lanes, *restrict T3 = T2 + 3 * lanes;
-    const double a = M[0], b = M[1], c = M[2], d = M[3];
-    for (size_t k = 0; k < LANES; k++) s[k] = ((a * T[k] + b * T1[k]) + c * T2[k]) + d * T3[k];
-}
-
-/* Squared distances of LANES surface points from their data, the squares added in the order of et_vec3_distance. */
-static void squares(double *restrict out, const double *restrict T, const double *restrict M, const double *restrict D, size_t q, size_t lanes)
+/* Distances of LANES surface points sum_l M[l] T[3 l lanes + d lanes + k] from their data D[d lanes + k], computed as et_vec3_distance does. */
+static void distances_any(double *restrict out, const double *restrict T, const double *restrict M, const double *restrict D, size_t q, size_t lanes)
 {
     double s[3][LANES];
     for (size_t d = 0; d < 3; d++) {
-        if (q == 3)
-            along_v_cubic(s[d], T + d * lanes, M, lanes);
-        else
-            along_v(s[d], T + d * lanes, M, q, lanes);
+        for (size_t k = 0; k < LANES; k++) s[d][k] = M[0] * T[d * lanes + k];
+        for (size_t l = 1; l <= q; l++)
+            for (size_t k = 0; k < LANES; k++) s[d][k] += M[l] * T[(3 * l + d) * lanes + k];
     }
     for (size_t k = 0; k < LANES; k++) {
         const double x = D[k] - s[0][k], y = D[lanes + k] - s[1][k], z = D[2 * lanes + k] - s[2][k];
-        out[k] = x * x + y * y + z * z;
+        out[k] = sqrt(x * x + y * y + z * z);
+    }
+}
+
+static void distances_cubic(double *restrict out, const double *restrict T, const double *restrict M, const double *restrict D, size_t lanes)
+{
+    const double *restrict Tx = T, *restrict Ty = T + lanes, *restrict Tz = Ty + lanes, *restrict Dy = D + lanes, *restrict Dz = Dy + lanes;
+    const double a = M[0], b = M[1], c = M[2], d = M[3];
+    const size_t B = 3 * lanes, C = 2 * B, E = 3 * B;
+    for (size_t k = 0; k < LANES; k++) {
+        const double x = D[k] - (((a * Tx[k] + b * Tx[B + k]) + c * Tx[C + k]) + d * Tx[E + k]);
+        const double y = Dy[k] - (((a * Ty[k] + b * Ty[B + k]) + c * Ty[C + k]) + d * Ty[E + k]);
+        const double z = Dz[k] - (((a * Tz[k] + b * Tz[B + k]) + c * Tz[C + k]) + d * Tz[E + k]);
+        out[k] = sqrt(x * x + y * y + z * z);
     }
 }
 
 static void contract_v(et_objective *f)
 {
-    for (size_t j = 0; j < f->data.ny; j++)
-        for (size_t lane = 0; lane < f->lanes; lane += LANES)
-            squares(f->square + j * f->lanes + lane, f->sum + 3 * f->column[j] * f->lanes + lane, f->M + j * (f->q + 1),
-                    f->target + 3 * j * f->lanes + lane, f->q, f->lanes);
+    for (size_t j = 0; j < f->data.ny; j++) {
+        double *out = f->grid + j * f->lanes;
+        const double *T = f->sum + 3 * f->column[j] * f->lanes, *M = f->M + j * (f->q + 1), *D = f->target + 3 * j * f->lanes;
+        for (size_t lane = 0; lane < f->lanes; lane += LANES) {
+            if (f->q == 3)
+                distances_cubic(out + lane, T + lane, M, D + lane, f->lanes);
+            else
+                distances_any(out + lane, T + lane, M, D + lane, f->q, f->lanes);
+        }
+    }
 }
 
 static void evaluate_full(et_objective *f, const double *x)
@@ -315,7 +328,7 @@ static void evaluate_full(et_objective *f, const double *x)
     spread(f, x);
     contract_u(f);
     contract_v(f);
-    for (size_t c = 0; c < f->nov; c++) f->distance[c] = sqrt(f->square[f->place[c]]);
+    for (size_t c = 0; c < f->nov; c++) f->distance[c] = f->grid[f->place[c]];
     f->known = 1;
     f->full++;
 }
