@@ -108,7 +108,7 @@ valgrind: $(B)/check
 audit: $(B)/libetalon.a
 	@sh tests/audit.sh $(B)/libetalon.a
 floors:
-	@sh tests/floors.sh '$(CC)' 'src include tests'
+	@sh tests/floors.sh '$(CC)'
 bits:
 	@sh tests/bits.sh $(BUILD)
 fuzz:
