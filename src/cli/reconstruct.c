@@ -87,12 +87,13 @@ static et_status compute(cli_reconstruction *r, const et_cloud *cloud, const rec
 
 /* ---- writing -------------------------------------------------------------------------------------------------------- */
 
-/* DIR/name in a buffer of the caller's; the directory's length was checked before. */
+/* DIR/name in a buffer of the caller's; make_directory has seen to it that folder, staging folder and name fit. */
 enum { PATH = 4096 };
 static const char *in(char path[PATH], const char *directory, const char *name)
 {
-    snprintf(path, PATH, "%s/%s", directory, name);
-    return path;
+    strcpy(path, directory);
+    strcat(path, "/");
+    return strcat(path, name);
 }
 
 static et_status make_directory(const char *path, et_message *message)
@@ -127,7 +128,9 @@ static et_status open_stage(char stage[PATH], const char *directory, et_message 
     et_status status = make_directory(directory, message);
 
     if (status == ET_OK) {
-        snprintf(stage, PATH, "%s/.part-%ld", directory, (long)getpid());
+        char name[32];
+        snprintf(name, sizeof name, ".part-%ld", (long)getpid());
+        in(stage, directory, name);
         if (mkdir(stage, 0777) != 0)
             status = et_status_fail(message, ET_EIO, "cannot make a folder in %s: %s", directory, strerror(errno));
     }
