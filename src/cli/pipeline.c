@@ -129,7 +129,7 @@ et_status cli_surface_measure(et_surface_file *surface, const et_vec3 *data)
     if (status == ET_OK)
         surface->seam_gap = seam.distance;
     if (status == ET_OK)
-        status = et_fit_measure(&surface->error, NULL, 0, &surface->fit, data);
+        status = et_fit_measure(&surface->error, NULL, et_doublenet_nov(surface->fit.data), &surface->fit, data);
     return status;
 }
 
