@@ -121,7 +121,7 @@ static et_status open_path(et_file *file, et_message *message)
 {
     struct stat before;
     int exists = stat(file->path, &before) == 0;
-    if (!exists && errno != ENOENT)
+    if (!exists && (errno != ENOENT || !*file->path))
         return cannot_write(message, file->path, errno);
     if (exists && S_ISDIR(before.st_mode))
         return cannot_write(message, file->path, EISDIR);
