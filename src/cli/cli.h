@@ -122,11 +122,14 @@ et_status cli_refine(cli_refined *result, const et_surface_file *surface, const 
 void cli_refined_free(cli_refined *result);
 et_status cli_surface_copy(et_surface_file *copy, const et_surface_file *surface);
 et_status cli_surface_measure(et_surface_file *surface, const et_vec3 *data);
+/* How far control points leave the box of the net, as a share of its longest side: a surface that swings out between its data. */
+double cli_overshoot(const et_surface_file *surface, const et_vec3 *data);
+void cli_warn_overshoot(const cli_run *run, double overshoot);
 
 /* ---- JSON fragments ------------------------------------------------------------------------------------------------------ */
 
 json_t *cli_json_som(const et_net_file *net, double seconds);
-json_t *cli_json_fit(const et_surface_file *surface);
+json_t *cli_json_fit(const et_surface_file *surface, double overshoot);
 json_t *cli_json_refined(const cli_refined *result);
 et_status cli_write_json(const char *path, const json_t *object, et_message *message);
 et_status cli_write_history(const char *path, const cli_refined *results, size_t n, et_message *message);
@@ -146,7 +149,7 @@ typedef struct {
     size_t points;
     uint64_t seed;
     et_net_file net;
-    double train_seconds, fit_seconds;
+    double train_seconds, fit_seconds, overshoot;
     et_surface_file fit[3];               /* conventional, improved, joint */
     size_t approach;                      /* which of them goes on */
     cli_refined *refined;

@@ -7,14 +7,14 @@ enum { OWN = 4 };
 
 typedef struct { const char *surface, *iges; } fit_outputs;
 
-static et_status finish(const et_surface_file *s, const fit_outputs *out, const cli_run *run, et_message *message)
+static et_status finish(const et_surface_file *s, double overshoot, const fit_outputs *out, const cli_run *run, et_message *message)
 {
     et_status status = out->surface ? et_json_write_surface(out->surface, s, message) : ET_OK;
 
     if (status == ET_OK && out->iges)
         status = et_iges_write(out->iges, &s->fit.shell, &s->frame, message);
     if (status == ET_OK && run->json) {
-        json_t *object = cli_json_fit(s);
+        json_t *object = cli_json_fit(s, overshoot);
         status = cli_print(object, message);
         json_decref(object);
     } else if (status == ET_OK && !run->quiet && !(out->surface && strcmp(out->surface, "-") == 0)) {
@@ -58,12 +58,14 @@ et_status cli_fit_command(int argc, char **argv, et_message *message)
     if (status != ET_OK)
         return status;
     status = cli_fit(&surface, &net, &o, message);
+    const double overshoot = status == ET_OK ? cli_overshoot(&surface, net.weights) : 0;
     et_json_free_net(&net);
     if (status != ET_OK)
         return status;
+    cli_warn_overshoot(&run, overshoot);
     status = cli_check(message);
     if (status == ET_OK)
-        status = finish(&surface, &out, &run, message);
+        status = finish(&surface, overshoot, &out, &run, message);
     et_json_free_surface(&surface);
     return status;
 }

@@ -7,6 +7,7 @@
 #include "etalon/refine/objective.h"
 #include "etalon/refine/pso.h"
 #include "etalon/som/quality.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -131,6 +132,39 @@ et_status cli_surface_measure(et_surface_file *surface, const et_vec3 *data)
     if (status == ET_OK)
         status = et_fit_measure(&surface->error, NULL, et_doublenet_nov(surface->fit.data), &surface->fit, data);
     return status;
+}
+
+static void grow(et_vec3 *lo, et_vec3 *hi, const et_vec3 *points, size_t n)
+{
+    for (size_t k = 0; k < n; k++) {
+        lo->x = fmin(lo->x, points[k].x), hi->x = fmax(hi->x, points[k].x);
+        lo->y = fmin(lo->y, points[k].y), hi->y = fmax(hi->y, points[k].y);
+        lo->z = fmin(lo->z, points[k].z), hi->z = fmax(hi->z, points[k].z);
+    }
+}
+
+double cli_overshoot(const et_surface_file *surface, const et_vec3 *data)
+{
+    et_vec3 lo = data[0], hi = data[0], out_lo, out_hi;
+    double side, most;
+
+    grow(&lo, &hi, data, et_doublenet_nov(surface->fit.data));
+    out_lo = lo, out_hi = hi;
+    for (size_t w = 0; w < 2; w++) {
+        const et_surface *view = &surface->fit.shell.view[w];
+        grow(&out_lo, &out_hi, view->points, view->nu * view->nv);
+    }
+    side = fmax(hi.x - lo.x, fmax(hi.y - lo.y, hi.z - lo.z));
+    most = fmax(fmax(lo.x - out_lo.x, out_hi.x - hi.x), fmax(fmax(lo.y - out_lo.y, out_hi.y - hi.y), fmax(lo.z - out_lo.z, out_hi.z - hi.z)));
+    return side > 0 ? most / side : 0;
+}
+
+void cli_warn_overshoot(const cli_run *run, double overshoot)
+{
+    if (overshoot > 1)
+        cli_say(run, "warning: control points leave the box of the net by %.3g times its size: the surface swings out between the data; take fewer
+"
+                     "control points, or --knots averaging (as many as the data) or uniform", overshoot);
 }
 
 et_status cli_fit(et_surface_file *surface, const et_net_file *net, const et_fit_options *options, et_message *message)

@@ -81,6 +81,8 @@ static et_status compute(cli_reconstruction *r, const et_cloud *cloud, const rec
     if (status != ET_OK)
         return status;
     cli_say(run, "%-12s error %.9g, seam gap %g", cli_approach_name(r->approach), r->fit[r->approach].error.nov, r->fit[r->approach].seam_gap);
+    r->overshoot = cli_overshoot(&r->fit[r->approach], r->net.weights);
+    cli_warn_overshoot(run, r->overshoot);
     status = cli_check(message);
     return status == ET_OK ? refine_all(r, o, run, message) : status;
 }

@@ -15,7 +15,7 @@ static json_t *vec3(et_vec3 v)
 json_t *cli_json_summary(const cli_reconstruction *r)
 {
     const et_surface_file *final = cli_final(r);
-    json_t *fit = cli_json_fit(&r->fit[r->approach]), *refine = json_array(), *object;
+    json_t *fit = cli_json_fit(&r->fit[r->approach], r->overshoot), *refine = json_array(), *object;
 
     if (fit) {
         json_object_set_new(fit, "surface_error_conventional", json_real(r->fit[ET_FIT_CONVENTIONAL].error.nov));
@@ -65,6 +65,9 @@ static void tell_fit(FILE *f, const cli_reconstruction *r)
     for (size_t a = 0; a < 3; a++)
         fprintf(f, "| %s%s | %.6f | %.6f | %.6f | %.3g | %.3g |\n", et_fit_name((et_fit_approach)a), a == r->approach ? " (taken)" : "",
                 r->fit[a].error.nov, r->fit[a].error.non, r->fit[a].error.greatest, r->fit[a].seam_gap, r->fit[a].error.corner);
+    if (r->overshoot > 1)
+        fprintf(f, "\n**Control points leave the box of the net by %.3g times its size: the surface swings out between the data.** Take fewer control points.\n",
+                r->overshoot);
     fprintf(f, "\nThe conventional approach counts each border point once here (NOV) and twice in the NON column; the source compares its NON with the\n"
                "NOV of the improved one.\n\n");
 }

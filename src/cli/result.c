@@ -19,16 +19,16 @@ json_t *cli_json_som(const et_net_file *net, double seconds)
                      "iterations", (json_int_t)net->options.iterations, "seconds", seconds, "final", quality(&net->final));
 }
 
-json_t *cli_json_fit(const et_surface_file *s)
+json_t *cli_json_fit(const et_surface_file *s, double overshoot)
 {
     const et_fit_options *o = &s->options;
     const double faithful = o->approach == ET_FIT_CONVENTIONAL ? s->error.non : s->error.nov;
 
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:[I,I], s:[I,I], s:f, s:f, s:f, s:f, s:f, s:f, s:I}", "approach", et_fit_name(o->approach),
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:[I,I], s:[I,I], s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:I}", "approach", et_fit_name(o->approach),
                      "method", et_param_name(o->method), "knots", et_knotrule_name(o->knots), "algebra", et_linalg_name(o->algebra), "corners",
                      cli_corners_name((size_t)o->corners), "degree", (json_int_t)o->p, (json_int_t)o->q, "control", (json_int_t)o->control.nx,
                      (json_int_t)o->control.ny, "surface_error", s->error.nov, "surface_error_non", s->error.non, "surface_error_faithful", faithful,
-                     "greatest_error", s->error.greatest, "seam_gap", s->seam_gap, "corner_error", s->error.corner, "flat_lines",
+                     "greatest_error", s->error.greatest, "seam_gap", s->seam_gap, "corner_error", s->error.corner, "overshoot", overshoot, "flat_lines",
                      (json_int_t)s->fit.flat);
 }
 
