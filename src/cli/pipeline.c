@@ -162,9 +162,8 @@ double cli_overshoot(const et_surface_file *surface, const et_vec3 *data)
 void cli_warn_overshoot(const cli_run *run, double overshoot)
 {
     if (overshoot > 1)
-        cli_say(run, "warning: control points leave the box of the net by %.3g times its size: the surface swings out between the data; take fewer
-"
-                     "control points, or --knots averaging (as many as the data) or uniform", overshoot);
+        cli_say(run, "warning: control points leave the box of the net by %.3g times its size: the surface swings out between the data;\n"
+                     "take fewer control points, or --knots uniform or averaging (as many control points as data)", overshoot);
 }
 
 et_status cli_fit(et_surface_file *surface, const et_net_file *net, const et_fit_options *options, et_message *message)
