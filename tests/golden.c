@@ -218,13 +218,15 @@ static void alter(const row *r, const char *text, char altered[ROW_ALTERED])
 
     if (!is_number || isnan(x))
         snprintf(altered, ROW_ALTERED, "%s", is_number ? "0" : "?");
-    else if (!loose && text[strspn(text, "0123456789")] == '\0')
-        snprintf(altered, ROW_ALTERED, "%.0f", x + 1);
+    else if (!loose && text[strspn(text, "0123456789")] == '\0') {
+        snprintf(altered, ROW_ALTERED, "%s", text);
+        altered[strlen(altered) - 1] ^= 1;       /* the last digit */
+    }
     else if (strcmp(r->class, "abs") == 0)
         snprintf(altered, ROW_ALTERED, "%a", nextafter(x + 3 * r->tolerance, INFINITY));
     else {
         for (double k = 2 * r->tolerance + 1; k > 0; k--)
-            x = nextafter(x, x > 0 ? (isinf(x) ? 0 : INFINITY) : -INFINITY);
+            x = nextafter(x, isinf(x) ? 0 : x > 0 ? INFINITY : -INFINITY);
         snprintf(altered, ROW_ALTERED, "%a", x);
     }
 }
