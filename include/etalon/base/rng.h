@@ -36,7 +36,8 @@ et_status et_rng_new(et_rng **rng, uint64_t seed);
 */
 void et_rng_free(et_rng *rng);
 
-/* Draws so far: a generator is saved as (seed, draws). */
+/* Draws so far: a generator is saved as (seed, draws).
+ * Golden: none (a count of calls). */
 /*@ requires rng: \valid_read(rng);
     assigns  \nothing;
 */

@@ -1,0 +1,53 @@
+"""Golden rows of base/frame: extents and maps of rationals; two roundings and the reference's half ulp are at most 3 ulps."""
+from fractions import Fraction as F
+
+from rational import Choices, head, row
+
+BOX, UNIFORM, NONE = 0, 1, 2
+
+
+def frame(kind, p):
+    lo = [min(c) for c in zip(*p)]
+    side = [float(F(max(c)) - F(min(c))) for c in zip(*p)]
+    if kind == NONE:
+        return [0.0] * 3 + [1.0] * 3
+    return lo + ([max(side)] * 3 if kind == UNIFORM else [s if s > 0 else 1.0 for s in side])
+
+
+def of(kind, p, why):
+    row("frame_of", "exact", why, [kind] + [c for q in p for c in q], [0] + frame(kind, p))
+
+
+head("frame", "frames of clouds, and coordinates there and back")
+c = Choices(5)
+CLOUDS = [([(0.0, 0.0, 0.0), (1.0, 2.0, 4.0)], "a box"), ([(1.0, 5.0, 2.0), (3.0, 5.0, 2.5)], "flat in y"), ([(-1.0, 0.1, 1e9), (0.3, 0.2, 1e9 + 1)], "far"),
+          ([(1e-300, 0.0, 0.0), (0.0, 5e-324, 0.0)], "tiny"), ([(-8e307, 0.0, 0.0), (8e307, 1.0, 0.0)], "huge"),
+          ([(2.0, 2.0, 2.0), (2.0, 2.0, 2.0), (2.0, 2.0, 2.0 + 2.0**-51)], "one ulp")]
+CLOUDS += [([tuple(c.real(-9, 9) for _ in range(3)) for _ in range(7)], "any") for _ in range(4)]
+for p, why in CLOUDS:
+    for kind in (BOX, UNIFORM, NONE):
+        of(kind, p, why)
+ZERO = [0.0] * 6
+inf, nan = float("inf"), float("nan")
+for kind in (BOX, UNIFORM, NONE):
+    row("frame_of", "exact", "no point", [kind], [2] + ZERO)
+    row("frame_of", "exact", "one point", [kind, 1.0, 2.0, 3.0], [2] + ZERO)
+    row("frame_of", "exact", "all equal", [kind] + [1.0, 2.0, 3.0] * 3, [2] + ZERO)
+    row("frame_of", "exact", "not a number", [kind, 1.0, 2.0, 3.0, 1.0, nan, 3.0], [2] + ZERO)
+    row("frame_of", "exact", "infinite", [kind, 1.0, 2.0, 3.0, 1.0, 1.0, -inf], [2] + ZERO)
+    row("frame_of", "exact", "overflow", [kind, 1.0, 1e308, 3.0, 1.0, -1e308, 3.0], [2] + ZERO)
+row("frame_of", "exact", "unknown kind", [3, 1.0, 2.0, 3.0, 2.0, 2.0, 3.0], [1] + ZERO)
+for o, hi in [(0.0, 1.0), (0.1, 0.7), (-3.3, 9.9), (1e9, 1e9 + 0.1), (5e-324, 1.0), (-1e-5, 1e-7)]:
+    s = float(F(hi) - F(o))
+    row("frame_to_unit", "exact", "the minimum", [o, s, o], [0.0])
+    row("frame_to_unit", "exact", "the maximum", [o, s, hi], [1.0])
+    row("frame_from_unit", "exact", "the minimum", [o, s, 0.0], [o])
+    row("frame_from_unit", "exact", "the extent rounds", [o, s, 1.0], [F(o) + F(s)])
+for x in (0.0, -0.0, 0.3, -1e300, 5e-324):
+    row("frame_to_unit", "exact", "identity", [0.0, 1.0, x], [x])
+    row("frame_from_unit", "exact", "identity", [0.0, 1.0, x], [x])
+for _ in range(15):
+    o, s, t = c.real(-5, 5), c.real(0.1, 9), c.real(0, 1)
+    x = o + s * t
+    row("frame_to_unit", "ulp 3", "any", [o, s, x], [(F(x) - F(o)) / F(s)])
+    row("frame_from_unit", "exact", "no rounding in between", [float(round(o)), 4.0, t], [F(round(o)) + 4 * F(t)])
