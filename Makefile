@@ -52,7 +52,7 @@ LIBROOMS := $(filter-out cli,$(ROOMS))
 SRC   := $(foreach r,$(LIBROOMS),$(wildcard src/$(r)/*.c) $(wildcard src/$(r)/*.cpp))
 CLI   := $(if $(filter cli,$(ROOMS)),$(wildcard src/cli/*.c))
 TEST  := $(wildcard tests/*.c) $(foreach r,$(LIBROOMS),$(wildcard tests/$(r)/test_*.c))
-BENCH := $(wildcard tests/bench/bench_*.c)
+BENCH := $(wildcard tests/bench/bench_*.c tests/bench/*_table.c)
 MODULES := $(basename $(notdir $(SRC)))
 ROWS    := $(foreach m,$(MODULES),$(wildcard golden/$(m).tsv))
 CORPUS  := $(foreach m,$(MODULES),$(wildcard fuzz/corpus/$(m)/*))
@@ -62,7 +62,9 @@ CLIO  := $(call OBJ,$(CLI))
 TESTO := $(call OBJ,$(TEST))
 FUZZO := $(filter-out $(B)/tests/check.c.o,$(TESTO)) $(B)/fuzz/fuzz.c.o $(B)/registry.o
 BENCHO := $(call OBJ,$(wildcard tests/bench/*.c))
+INPUTO  := $(call OBJ,$(wildcard tests/bench/*_input.c))
 BENCHES := $(patsubst tests/bench/%.c,$(B)/%,$(BENCH))
+PEERS   := $(addprefix $(B)/,$(basename $(notdir $(wildcard tests/bench/peer_*.c tests/bench/peer_*.cpp))))
 
 all: $(B)/libetalon.a $(if $(CLI),$(B)/etalon)
 
@@ -124,10 +126,18 @@ check: deps-test
 end-to-end: all
 	@$(SUM) $(foreach s,$(sort $(wildcard tests/cli/*.sh)),'sh $(s) $(B)/etalon')
 
-bench: $(BENCHES)
-	@for b in $(BENCHES); do $$b || exit; done
-$(BENCHES): $(B)/%: $(B)/tests/bench/%.c.o $(B)/tests/bench/bench.c.o $(B)/libetalon.a
+# A benchmark is bench_X.c (or X_table.c) with bench.c and X_input.c; a peer is a program of its own, and may be missing.
+bench:
+	@for p in release native; do $(MAKE) -s P=$$p programs && $(MAKE) -s -k P=$$p peers 2> /dev/null; \
+	  for b in $(notdir $(BENCHES)); do echo "$$b, $$p:"; BENCH_BIN=$(BUILD)/$$p BENCH_SRC=tests/bench $(BUILD)/$$p/$$b || exit; done; done
+programs: $(BENCHES)
+peers: $(PEERS)
+$(BENCHES): $(B)/%: $(B)/tests/bench/%.c.o $(B)/tests/bench/bench.c.o $(INPUTO) $(B)/libetalon.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+$(filter-out %_occt,$(PEERS)): $(B)/%: $(B)/tests/bench/%.c.o $(B)/tests/bench/bench.c.o $(INPUTO)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(if $(findstring sisl,$@),-lsisl) $(if $(findstring nlopt,$@),-lnlopt) -lgsl -lgslcblas -lm
+$(filter %_occt,$(PEERS)): $(B)/%: tests/bench/%.cpp $(B)/tests/bench/bench.c.o $(INPUTO)
+	$(CXX) $(CXXFLAGS) -isystem /usr/include/opencascade $(LDFLAGS) -o $@ $^ -lTKG3d -lTKG2d -lTKMath -lTKernel
 
 # Debian's packages; with root (or sudo) they are installed, else named.
 PACKAGES      := gcc g++ libgsl-dev liblapacke-dev libceres-dev libgoogle-glog-dev libeigen3-dev libjansson-dev gnuplot-nox
@@ -156,4 +166,4 @@ uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/share/man/man1/etalon.1
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test harness bites asan valgrind audit floors bits fuzz cover check end-to-end bench deps deps-test demo install uninstall clean
+.PHONY: all test harness bites asan valgrind audit floors bits fuzz cover check end-to-end bench programs peers deps deps-test demo install uninstall clean
