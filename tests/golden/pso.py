@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+"""golden/pso.tsv: the swarm of the header, written anew on Python's floats.  python3 tests/golden/pso.py > golden/pso.tsv"""
+from search import SHARED, head, rows
+
+
+def prepare(s):
+    n, m = s.o['n'], s.o['population']
+    s.velocity = [[0.0] * n for _ in range(m)]
+    s.memory = [(list(x), f) for x, f in zip(s.x, s.value)]
+
+
+def step(s):
+    o, n = s.o, s.o['n']
+    if not hasattr(s, 'velocity'):
+        prepare(s)
+    swarm = list(s.best)
+    for i in range(o['population']):
+        r1 = [s.rng.uniform() for _ in range(n)]
+        r2 = [s.rng.uniform() for _ in range(n)]
+        own, old = s.memory[i][0], s.x[i]
+        v = [o['K'] * ((s.velocity[i][k] + o['c1'] * r1[k] * (own[k] - old[k])) + o['c2'] * r2[k] * (swarm[k] - old[k])) for k in range(n)]
+        if o['vmax'] > 0:
+            v = [min(max(w, -o['vmax']), o['vmax']) for w in v]
+        s.velocity[i] = v
+        s.x[i] = s.clamped([old[k] + v[k] for k in range(n)])
+        s.value[i] = s.evaluate(s.x[i])
+        if s.value[i] < s.memory[i][1]:
+            s.memory[i] = (list(s.x[i]), s.value[i])
+
+
+CASES = SHARED + [
+    ('no_vmax', dict(n=4, vmax=0.0, box=0.0, generations=10, population=6)),
+    ('tight_vmax', dict(n=4, vmax=2.0**-6, generations=10, population=6)),
+    ('no_memory', dict(n=4, c1=0.0, generations=10, population=6)),
+    ('no_swarm', dict(n=4, c2=0.0, generations=10, population=6)),
+    ('no_constriction', dict(n=4, K=1.0, generations=10, population=6)),
+    ('table_6.1', dict(n=30, group=3, population=40, spread=5e-6, box=5e-6, vmax=5e-6, generations=30)),
+]
+
+if __name__ == '__main__':
+    head('pso.py')
+    rows('pso_step', step, CASES)

@@ -1,0 +1,357 @@
+#include "etalon/refine/objective.h"
+#include "etalon/base/real.h"
+#include "golden.h"
+#include "gen.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 12, CLASSES = 2 * SIDE * SIDE };
+
+typedef struct {
+    et_fit fit;
+    et_doublenet control;
+    size_t nov, n;                        /* data classes; coordinates of a candidate */
+    et_vec3 data[CLASSES];
+    double x[3 * CLASSES];
+} instance;
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Sorted parameters; the simplest are equidistant. */
+static void gen_parameters(gen *g, double *t, size_t nt, const double *u, size_t nu, size_t p)
+{
+    const bool even = gen_upto(g, 3) == 0;
+    for (size_t i = 0; i < nt; i++) t[i] = even ? (double)i / (double)(nt - 1) : gen_parameter(g, u, nu, p);
+    qsort(t, nt, sizeof *t, compare);
+}
+
+static bool allocate(instance *c, size_t p, size_t q, et_doublenet control, et_doublenet data)
+{
+    memset(c, 0, sizeof *c);
+    c->fit.data = data;
+    c->control = control;
+    c->nov = et_doublenet_nov(data);
+    c->n = 3 * et_doublenet_nov(control);
+    if (et_shell_new(&c->fit.shell, p, q, control, 0) != ET_OK) return false;
+    for (size_t w = 0; w < 2; w++) {
+        c->fit.s[w] = calloc(data.nx, sizeof(double));
+        c->fit.r[w] = calloc(data.ny, sizeof(double));
+        if (!c->fit.s[w] || !c->fit.r[w]) return false;
+    }
+    return true;
+}
+
+/* The other view's knots and parameters are the bottom's; its control points are scattered. */
+static void close_shell(instance *c)
+{
+    et_surface *a = &c->fit.shell.view[ET_BOTTOM], *b = &c->fit.shell.view[ET_TOP];
+    memcpy(b->u, a->u, (a->nu + a->p + 1) * sizeof *a->u);
+    memcpy(b->v, a->v, (a->nv + a->q + 1) * sizeof *a->v);
+    memcpy(c->fit.s[ET_TOP], c->fit.s[ET_BOTTOM], c->fit.data.nx * sizeof(double));
+    memcpy(c->fit.r[ET_TOP], c->fit.r[ET_BOTTOM], c->fit.data.ny * sizeof(double));
+}
+
+static void place(instance *c, const double *x)
+{
+    et_vec3 points[CLASSES];
+    memcpy(points, x, c->n * sizeof *x);
+    et_shell_scatter(&c->fit.shell, points, c->n / 3);
+}
+
+static bool gen_instance(gen *g, instance *c, size_t most)
+{
+    static const size_t degrees[] = { 3, 1, 2, 4 };
+    const size_t p = degrees[gen_upto(g, 3)], q = degrees[gen_upto(g, 3)], least_u = p + 1 > 2 ? p + 1 : 2, least_v = q + 1 > 2 ? q + 1 : 2;
+    const et_doublenet control = { gen_between(g, least_u, least_u + most), gen_between(g, least_v, least_v + most) };
+    const et_doublenet data = { gen_between(g, 2, 2 + most), gen_between(g, 2, 2 + most) };
+    if (!allocate(c, p, q, control, data)) return false;
+    et_surface *s = &c->fit.shell.view[ET_BOTTOM];
+    gen_knots(g, s->u, s->nu + p + 1, p);
+    gen_knots(g, s->v, s->nv + q + 1, q);
+    gen_parameters(g, c->fit.s[ET_BOTTOM], data.nx, s->u, s->nu + p + 1, p);
+    gen_parameters(g, c->fit.r[ET_BOTTOM], data.ny, s->v, s->nv + q + 1, q);
+    close_shell(c);
+    gen_points(g, &c->data[0].x, c->nov);
+    gen_points(g, c->x, c->n / 3);
+    place(c, c->x);
+    return true;
+}
+
+/* A larger net whose coordinates cost no draws. */
+static bool large_instance(gen *g, instance *c, size_t p, size_t q)
+{
+    const et_doublenet control = { SIDE - 2, SIDE - 1 }, data = { SIDE, SIDE - 1 };
+    const size_t seed = gen_upto(g, 1023);
+    if (!allocate(c, p, q, control, data)) return false;
+    et_surface *s = &c->fit.shell.view[ET_BOTTOM];
+    for (size_t i = 0; i < s->nu + p + 1; i++) s->u[i] = i <= p ? 0.0 : i >= s->nu ? 1.0 : (double)(i - p) / (double)(s->nu - p);
+    for (size_t j = 0; j < s->nv + q + 1; j++) s->v[j] = j <= q ? 0.0 : j >= s->nv ? 1.0 : (double)(j - q) / (double)(s->nv - q);
+    for (size_t i = 0; i < data.nx; i++) c->fit.s[ET_BOTTOM][i] = (double)i / (double)(data.nx - 1);
+    for (size_t j = 0; j < data.ny; j++) c->fit.r[ET_BOTTOM][j] = (double)j / (double)(data.ny - 1);
+    close_shell(c);
+    for (size_t k = 0; k < 3 * c->nov; k++) (&c->data[0].x)[k] = (double)((k * 7919 + seed) % 1009) / 1009.0;
+    for (size_t k = 0; k < c->n; k++) c->x[k] = (double)((k * 104729 + seed) % 997) / 997.0;
+    place(c, c->x);
+    return true;
+}
+
+static void end(instance *c)
+{
+    et_fit_free(&c->fit);
+}
+
+/* E by the definition: a surface point for each class. */
+static double reference(instance *c, const double *x)
+{
+    double distance[CLASSES], work[256];
+    place(c, x);
+    for (size_t k = 0; k < c->nov; k++) {
+        const et_index v = et_doublenet_index(c->fit.data, k + 1);
+        const size_t w = v.k == 2 ? ET_TOP : ET_BOTTOM;
+        const et_surface *s = &c->fit.shell.view[w];
+        distance[k] = et_vec3_distance(c->data[k], et_surface_point(s, c->fit.s[w][v.i], c->fit.r[w][v.j], work, et_surface_work(s)));
+    }
+    return et_real_sum(distance, c->nov);
+}
+
+static bool same(double a, double b)
+{
+    return memcmp(&a, &b, sizeof a) == 0;
+}
+
+static bool evaluates(gen *g, et_objective *f, instance *c, const double *x)
+{
+    double value = -1.0;
+    const et_status status = et_objective_eval(&value, x, c->n, f);
+    const double want = reference(c, x);
+    return gen_check(g, status == ET_OK, "status %d", (int)status) && gen_check(g, same(value, want), "%a, not %a", value, want);
+}
+
+/* ---- new, size, free, counts ---- */
+
+verdict prop_objective_new(gen *g)
+{
+    instance c;
+    et_objective *f = NULL;
+    et_fit_error error;
+    double value = -1.0;
+    bool ok = gen_instance(g, &c, 5);
+    ok = ok && gen_check(g, et_objective_new(&f, &c.fit, c.data, c.nov) == ET_OK && f, "status");
+    ok = ok && gen_check(g, et_objective_eval(&value, c.x, c.n, f) == ET_OK, "status of eval");
+    ok = ok && gen_check(g, et_fit_measure(&error, NULL, c.nov, &c.fit, c.data) == ET_OK && same(error.nov, value), "%a is not what the fit measures", value);
+    et_objective_free(f);
+    end(&c);
+    return ok ? PASS : FAIL;
+}
+
+/* Each fault by itself. */
+static void spoil(gen *g, instance *c, uint64_t how)
+{
+    et_surface *top = &c->fit.shell.view[ET_TOP];
+    if (how == 0) c->fit.s[ET_TOP][gen_upto(g, c->fit.data.nx - 1)] += 0x1p-40;
+    else if (how == 1) c->fit.r[ET_TOP][gen_upto(g, c->fit.data.ny - 1)] += 0x1p-40;
+    else if (how == 2) top->points[gen_upto(g, 1) ? top->nv - 1 : 0].y += 1e200;
+    else if (how == 3) c->nov += gen_upto(g, 1) ? 1 : (size_t)-1;
+    else if (how == 4) c->fit.data.nx = 1;
+    else if (how == 5) top->points[0].x = NAN;
+}
+
+static bool make_rational(instance *c)
+{
+    for (size_t w = 0; w < 2; w++) {
+        et_surface *s = &c->fit.shell.view[w];
+        s->weights = calloc(s->nu * s->nv, sizeof *s->weights);
+        if (!s->weights) return false;
+        for (size_t k = 0; k < s->nu * s->nv; k++) s->weights[k] = 1.0;
+    }
+    return true;
+}
+
+verdict prop_objective_new_invalid(gen *g)
+{
+    instance c;
+    const uint64_t how = gen_upto(g, 9);
+    bool ok = gen_instance(g, &c, 3);
+    et_objective *const before = (et_objective *)&c, *f = before;
+    if (ok) spoil(g, &c, how);
+    if (how == 6) ok = ok && make_rational(&c);
+    const et_status status = et_objective_new(how == 7 ? NULL : &f, how == 8 ? NULL : &c.fit, how == 9 ? NULL : c.data, c.nov);
+    ok = ok && gen_check(g, status == ET_EINVAL && f == before, "fault %zu was accepted", (size_t)how);
+    end(&c);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_objective_size(gen *g)
+{
+    instance c;
+    et_objective *f = NULL;
+    bool ok = gen_instance(g, &c, 5) && et_objective_new(&f, &c.fit, c.data, c.nov) == ET_OK;
+    const size_t nu = c.control.nx, nv = c.control.ny;
+    ok = ok && gen_check(g, et_objective_size(f) == 3 * (2 * nu * nv - 2 * (nu + nv - 2)), "size");
+    et_objective_free(f);
+    end(&c);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_objective_free(gen *g)
+{
+    instance c;
+    et_objective *f = NULL;
+    double value;
+    et_objective_free(NULL);
+    bool ok = gen_instance(g, &c, 2) && et_objective_new(&f, &c.fit, c.data, c.nov) == ET_OK;
+    end(&c);                              /* the fit may go before its objective */
+    memset(c.data, 0, sizeof c.data);
+    ok = ok && gen_check(g, et_objective_eval(&value, c.x, c.n, f) == ET_OK, "status");
+    et_objective_free(f);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_objective_counts(gen *g)
+{
+    instance c;
+    et_objective *f = NULL;
+    uint64_t full = 9, incremental = 9;
+    double value;
+    bool ok = large_instance(g, &c, 3, 3) && et_objective_new(&f, &c.fit, c.data, c.nov) == ET_OK;
+    if (ok) et_objective_counts(&full, &incremental, f);
+    ok = ok && gen_check(g, full == 0 && incremental == 0, "counts of a new objective");
+    const size_t evaluations = gen_between(g, 1, 6), few = gen_upto(g, evaluations);
+    for (size_t k = 0; k < evaluations && ok; k++) {      /* the first is full; then `few` times one corner, then everything */
+        for (size_t d = 0; d < (k <= few ? 3 : c.n); d++) c.x[d] += 0.125;
+        ok = et_objective_eval(&value, c.x, c.n, f) == ET_OK && et_objective_eval(&value, c.x, c.n - 1, f) == ET_EINVAL;
+    }
+    if (ok) et_objective_counts(&full, &incremental, f);
+    const size_t want = few < evaluations - 1 ? few : evaluations - 1;
+    ok = ok && gen_check(g, incremental == want && full == evaluations - want, "%zu full, %zu incremental of %zu", (size_t)full, (size_t)incremental,
+                         evaluations);
+    et_objective_free(f);
+    end(&c);
+    return ok ? PASS : FAIL;
+}
+
+/* ---- eval ---- */
+
+/* The next candidate: the same, a few control points moved, the first one again, or everything moved. */
+static void move(gen *g, instance *c, double *x)
+{
+    const uint64_t kind = gen_upto(g, 7);
+    if (kind == 0) return;
+    if (kind == 7) memcpy(x, c->x, c->n * sizeof *x);
+    for (size_t k = 0; k < c->n && kind == 6; k++) x[k] += 0.25 * (double)(k % 5);
+    for (size_t m = kind < 6 ? gen_between(g, 1, 3) : 0; m > 0; m--) {
+        double *P = x + 3 * gen_upto(g, c->n / 3 - 1);
+        const size_t d = gen_upto(g, 2);
+        P[d] = gen_upto(g, 3) == 3 ? -P[d] : P[d] + gen_real(g, 0.0, 1.0);
+    }
+}
+
+static verdict sequence(gen *g, instance *c, size_t candidates)
+{
+    et_objective *f = NULL, *other = NULL;
+    double x[3 * CLASSES], y[3 * CLASSES];
+    uint64_t full = 0, incremental = 0;
+    bool ok = et_objective_new(&f, &c->fit, c->data, c->nov) == ET_OK && et_objective_new(&other, &c->fit, c->data, c->nov) == ET_OK;
+    memcpy(x, c->x, c->n * sizeof *x);
+    memcpy(y, c->x, c->n * sizeof *y);
+    for (size_t k = 0; k < candidates && ok; k++) {
+        move(g, c, x);
+        ok = evaluates(g, f, c, x);
+        if (k % 3 == 0) move(g, c, y);    /* another object in between */
+        ok = ok && (k % 3 != 0 || evaluates(g, other, c, y));
+    }
+    if (ok) et_objective_counts(&full, &incremental, f);
+    ok = ok && gen_check(g, full + incremental == candidates && full >= 1, "counts");
+    if (incremental > 0) gen_label(g, "incremental");
+    et_objective_free(f);
+    et_objective_free(other);
+    end(c);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_objective_eval(gen *g)
+{
+    instance c;
+    return gen_instance(g, &c, 6) ? sequence(g, &c, gen_between(g, 1, 6)) : FAIL;
+}
+
+verdict prop_objective_eval_large(gen *g)
+{
+    static const size_t degrees[] = { 3, 2 };
+    instance c;
+    const size_t p = degrees[gen_upto(g, 1)], q = degrees[gen_upto(g, 1)];
+    return large_instance(g, &c, p, q) ? sequence(g, &c, gen_between(g, 2, 8)) : FAIL;
+}
+
+/* Every control point by itself: moved and moved back, always incrementally. */
+verdict prop_objective_eval_each(gen *g)
+{
+    instance c;
+    et_objective *f = NULL;
+    uint64_t full = 0, incremental = 0;
+    bool ok = large_instance(g, &c, 3, 2) && et_objective_new(&f, &c.fit, c.data, c.nov) == ET_OK && evaluates(g, f, &c, c.x);
+    const size_t k = 3 * gen_upto(g, c.n / 3 - 1) + gen_upto(g, 2);
+    const double was = c.x[k], first = ok ? reference(&c, c.x) : 0.0;
+    double again = -1.0;
+    c.x[k] = was + 0.5;
+    ok = ok && evaluates(g, f, &c, c.x);
+    c.x[k] = was;
+    ok = ok && et_objective_eval(&again, c.x, c.n, f) == ET_OK && gen_check(g, same(first, again), "moved back: %a, not %a", again, first);
+    if (ok) et_objective_counts(&full, &incremental, f);
+    ok = ok && gen_check(g, full == 1 && incremental == 2, "%zu full evaluations", (size_t)full);
+    et_objective_free(f);
+    end(&c);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_objective_eval_invalid(gen *g)
+{
+    instance c;
+    et_objective *f = NULL;
+    uint64_t full = 9, incremental = 9;
+    double value = -1.0;
+    bool ok = gen_instance(g, &c, 2) && et_objective_new(&f, &c.fit, c.data, c.nov) == ET_OK;
+    const uint64_t how = gen_upto(g, 4);
+    const size_t n = how == 0 ? c.n - 1 : how == 1 ? c.n + 1 : c.n;
+    ok = ok && gen_check(g, et_objective_eval(how == 2 ? NULL : &value, how == 3 ? NULL : c.x, n, how == 4 ? NULL : f) == ET_EINVAL, "fault %zu", (size_t)how);
+    ok = ok && gen_check(g, value == -1.0, "value changed");
+    if (ok) et_objective_counts(&full, &incremental, f);
+    ok = ok && gen_check(g, full == 0 && incremental == 0, "counted");
+    et_objective_free(f);
+    end(&c);
+    return ok ? PASS : FAIL;
+}
+
+/* ---- rows ---- */
+
+/* Arguments: p, q, nu, nv, nx, ny; knots u, v; parameters s, r; data by class; then one or more candidates.  Wanted: a value each. */
+verdict gold_objective_eval(const row *r)
+{
+    instance c;
+    et_objective *f = NULL;
+    const size_t p = row_size(r, 0), q = row_size(r, 1), nu = row_size(r, 2), nv = row_size(r, 3), nx = row_size(r, 4), ny = row_size(r, 5);
+    size_t at = 6;
+    if (nu > SIDE || nv > SIDE || nx > SIDE || ny > SIDE) return FAIL;
+    if (!allocate(&c, p, q, (et_doublenet){ nu, nv }, (et_doublenet){ nx, ny })) return FAIL;
+    et_surface *s = &c.fit.shell.view[ET_BOTTOM];
+    for (size_t k = 0; k < nu + p + 1; k++) s->u[k] = row_real(r, at++);
+    for (size_t k = 0; k < nv + q + 1; k++) s->v[k] = row_real(r, at++);
+    for (size_t k = 0; k < nx; k++) c.fit.s[ET_BOTTOM][k] = row_real(r, at++);
+    for (size_t k = 0; k < ny; k++) c.fit.r[ET_BOTTOM][k] = row_real(r, at++);
+    close_shell(&c);
+    for (size_t k = 0; k < 3 * c.nov; k++) (&c.data[0].x)[k] = row_real(r, at++);
+    bool ok = et_objective_new(&f, &c.fit, c.data, c.nov) == ET_OK && r->nargs == at + c.n * r->nwant;
+    for (size_t w = 0; w < r->nwant && ok; w++) {
+        double value = -1.0;
+        for (size_t k = 0; k < c.n; k++) c.x[k] = row_real(r, at++);
+        ok = et_objective_eval(&value, c.x, c.n, f) == ET_OK && row_is(r, w, value);
+    }
+    et_objective_free(f);
+    end(&c);
+    return ok ? PASS : FAIL;
+}
