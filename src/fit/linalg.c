@@ -50,10 +50,10 @@ static void by_rows(double *X, const double *C, size_t rows, size_t n, size_t k)
             X[i * k + j] = C[j * rows + i];
 }
 
-/* Singular to working precision: the reciprocal condition number does not exceed n eps. */
-static int singular(double rcond, size_t n)
+/* Singular to working precision: the reciprocal condition number is within what rounding in m rows can do, m eps. */
+static int singular(double rcond, size_t m)
 {
-    return !(rcond > (double)n * ET_EPS);
+    return !(rcond > (double)m * ET_EPS);
 }
 
 /* The numerical rank of row-major A by QR with column pivoting: how many |r_ii| exceed max(m, n) eps |r_11|. */
@@ -114,7 +114,7 @@ static et_status solve_qr(double *A, double *C, size_t m, size_t n, size_t k, in
         status = status_of(LAPACKE_dtrcon(LAPACK_COL_MAJOR, '1', 'U', 'N', (lapack_int)n, A, (lapack_int)m, &rcond));
     if (status != ET_OK)
         return status;
-    *lost = singular(rcond, n);
+    *lost = singular(rcond, m);
     if (*lost)
         return ET_ERANK;
     return status_of(
@@ -148,7 +148,7 @@ static double norm1_symmetric(const double *G, size_t n)
 }
 
 /* G (n x n) is symmetric, so its row-major order is its column-major order; H is column-major n x k. */
-static et_status solve_cholesky(double *G, double *H, size_t n, size_t k, int *lost)
+static et_status solve_cholesky(double *G, double *H, size_t m, size_t n, size_t k, int *lost)
 {
     const double norm = norm1_symmetric(G, n);
     lapack_int info = LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', (lapack_int)n, G, (lapack_int)n);
@@ -158,7 +158,7 @@ static et_status solve_cholesky(double *G, double *H, size_t n, size_t k, int *l
         info = LAPACKE_dpocon(LAPACK_COL_MAJOR, 'L', (lapack_int)n, G, (lapack_int)n, norm, &rcond);
     if (info < 0)
         return status_of(info);
-    *lost = info > 0 || singular(rcond, n);
+    *lost = info > 0 || singular(rcond, m > n ? m : n);
     if (*lost)
         return ET_ERANK;
     return status_of(LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'L', (lapack_int)n, (lapack_int)k, G, (lapack_int)n, H, (lapack_int)n));
@@ -192,7 +192,7 @@ static et_status lsq_cholesky(double *X, size_t *rank, const double *A, size_t m
         C = by_columns(H, n, k, n);
     }
     if (C != NULL)
-        status = solve_cholesky(G, C, n, k, &lost);
+        status = solve_cholesky(G, C, m, n, k, &lost);
     if (status == ET_OK) {
         by_rows(X, C, n, n, k);
         *rank = n;
@@ -517,7 +517,7 @@ static et_status band_factor(band *f, const double *a, const size_t *start, size
     }
     if (info < 0)
         return status_of(info);
-    return info > 0 || singular(rcond, n) ? ET_ERANK : ET_OK;
+    return info > 0 || singular(rcond, m > n ? m : n) ? ET_ERANK : ET_OK;
 }
 
 static int band_valid(const size_t *start, size_t m, size_t n, size_t w)

@@ -99,11 +99,9 @@ void et_shell_scatter(et_shell *shell, const et_vec3 *points, size_t nov)
 {
     const et_doublenet net = et_shell_net(shell);
 
+    (void)nov;
     for (size_t w = 0; w < 2; w++)
         for (size_t i = 0; i < net.nx; i++)
-            for (size_t j = 0; j < net.ny; j++) {
-                const size_t c = et_doublenet_class(net, w, i, j);
-                if (c <= nov)
-                    shell->view[w].points[i * net.ny + j] = points[c - 1];
-            }
+            for (size_t j = 0; j < net.ny; j++)
+                shell->view[w].points[i * net.ny + j] = points[et_doublenet_class(net, w, i, j) - 1];
 }

@@ -47,7 +47,7 @@ typedef struct { double nov, non, greatest; double corner; } et_fit_error;   /* 
 */
 const char *et_fit_name(et_fit_approach approach);
 
-/* The defaults named beside the fields above; control {12, 12}. */
+/* The defaults named beside the fields above; control {12, 12}.  Golden: none (a table of defaults). */
 /*@ assigns \nothing;
     ensures approach: \result.approach == ET_FIT_IMPROVED && \result.algebra == ET_LINALG_QR && \result.corners == ET_CORNERS_DEFAULT;
     ensures rules:    \result.method == ET_PARAM_CHORD && \result.knots == ET_KNOTRULE_PIEGL;
@@ -82,7 +82,7 @@ et_fit_options et_fit_defaults(void);
 */
 et_status et_fit_make(et_fit *fit, const et_vec3 *data, size_t nov, et_doublenet net, const et_fit_options *options, et_message *message);
 
-/* Frees what a fit owns and leaves a fit of zeros, which may be freed again. */
+/* Frees what a fit owns and leaves a fit of zeros, which may be freed again.  Golden: none (storage). */
 /*@ requires valid: \valid(fit);
     assigns *fit;
     ensures empty: fit->s[0] == \null && fit->s[1] == \null && fit->r[0] == \null && fit->r[1] == \null;

@@ -20,7 +20,8 @@ typedef struct { et_surface view[2]; } et_shell;
                                                               \valid(s->view[w].v + (0 .. s->view[w].nv + s->view[w].q)));
 */
 
-/* Both views valid (et_surface_valid), of one shape, and their control net a double net (sides at least 2).  1 or 0. */
+/* Both views valid (et_surface_valid), of one shape, and their control net a double net (sides at least 2).  1 or 0.
+ * Golden: none (a predicate over storage; its property tries every way to break it). */
 /*@ requires valid: \valid_read(shell);
     assigns \nothing;
     ensures boolean: \result == 0 || \result == 1;
@@ -28,7 +29,8 @@ typedef struct { et_surface view[2]; } et_shell;
 */
 int et_shell_valid(const et_shell *shell);
 
-/* Valid, and closed as defined above: equal bits (0 and -0 differ).  Coincidence that is only geometric does not count.  1 or 0. */
+/* Valid, and closed as defined above: equal bits (0 and -0 differ).  Coincidence that is only geometric does not count.  1 or 0.
+ * Golden: none (a comparison of bits). */
 /*@ requires valid: \valid_read(shell);
     assigns \nothing;
     ensures boolean: \result == 0 || \result == 1;
@@ -36,7 +38,8 @@ int et_shell_valid(const et_shell *shell);
 */
 int et_shell_closed(const et_shell *shell);
 
-/* The control net {nu, nv} (You 2023, section 4.2: one numbering for the map and for the control nets). */
+/* The control net {nu, nv} (You 2023, section 4.2: one numbering for the map and for the control nets).
+ * Golden: none (two fields). */
 /*@ requires valid: \valid_read(shell);
     assigns \nothing;
     ensures nx: \result.nx == shell->view[0].nu;
@@ -45,7 +48,8 @@ int et_shell_closed(const et_shell *shell);
 et_doublenet et_shell_net(const et_shell *shell);
 
 /* Storage for both views, control points and knots all zero (so not yet valid), weights 1 if rational.  Freed by et_shell_free.
- * ET_EINVAL: p < 1, q < 1, p >= control.nx, q >= control.ny, or no double net.  ET_ENOMEM. */
+ * ET_EINVAL: p < 1, q < 1, p >= control.nx, q >= control.ny, or no double net.  ET_ENOMEM.
+ * Golden: none (storage). */
 /*@ requires valid: \valid(shell);
     assigns *shell;
     ensures status:    \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
@@ -57,7 +61,7 @@ et_doublenet et_shell_net(const et_shell *shell);
 */
 et_status et_shell_new(et_shell *shell, size_t p, size_t q, et_doublenet control, int rational);
 
-/* A copy with storage of its own.  ET_ENOMEM. */
+/* A copy with storage of its own.  ET_ENOMEM.  Golden: none (storage). */
 /*@ requires valid:     \valid(copy) && \valid_read(shell) && et_shell_stored((et_shell *)shell);
     requires separated: \separated(copy, shell);
     assigns *copy;
@@ -66,14 +70,15 @@ et_status et_shell_new(et_shell *shell, size_t p, size_t q, et_doublenet control
 */
 et_status et_shell_copy(et_shell *copy, const et_shell *shell);
 
-/* Frees both views and leaves a shell of zeros, which may be freed again. */
+/* Frees both views and leaves a shell of zeros, which may be freed again.  Golden: none (storage). */
 /*@ requires valid: \valid(shell);
     assigns *shell;
     ensures empty: shell->view[0].points == \null && shell->view[1].points == \null;
 */
 void et_shell_free(et_shell *shell);
 
-/* The NOV control classes of a shell: points[c-1]; the bottom view is read where both views have the class.  Exact copies. */
+/* The NOV control classes of a shell: points[c-1]; the bottom view is read where both views have the class.  Exact copies.
+ * Golden: none (copies; the numbering has its rows with doublenet). */
 /*@ requires stored:    \valid_read(shell) && et_shell_stored((et_shell *)shell);
     requires net:       et_net_ok(shell->view[0].nu, shell->view[0].nv);
     requires size:      nov == NOV(shell->view[0].nu, shell->view[0].nv);
@@ -84,7 +89,8 @@ void et_shell_free(et_shell *shell);
 */
 void et_shell_gather(et_vec3 *points, size_t nov, const et_shell *shell);
 
-/* The reverse: every node of class c gets points[c-1], in both views, so that the border is shared bit for bit.  Knots and weights stay. */
+/* The reverse: every node of class c gets points[c-1], in both views, so that the border is shared bit for bit.  Knots and weights stay.
+ * Golden: none (copies; the numbering has its rows with doublenet). */
 /*@ requires stored:    \valid_read(shell) && et_shell_stored(shell);
     requires net:       et_net_ok(shell->view[0].nu, shell->view[0].nv);
     requires size:      nov == NOV(shell->view[0].nu, shell->view[0].nv);
