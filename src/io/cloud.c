@@ -213,6 +213,8 @@ static et_status next_line(reader *r, field *line, int *more)
             k++;
         }
     }
+    if (r->continued && k > r->start && r->buffer[k - 1] == '\\')
+        r->buffer[k - 1] = ' ';
     *more = k > r->start;
     r->following += *more ? 1 : 0;
     line->begin = (char *)r->buffer + r->start;
@@ -256,6 +258,13 @@ static int next_field(field *f, field *rest, char separator)
         rest->begin++;
     f->end = rest->begin;
     return f->begin < f->end;
+}
+
+static int has(field f, char c)
+{
+    while (f.begin < f.end && *f.begin != c)
+        f.begin++;
+    return f.begin < f.end;
 }
 
 static int field_is(field f, const char *word)
@@ -370,7 +379,7 @@ static void show(char word[WORD], field f)
     size_t n = (size_t)(f.end - f.begin);
     size_t shown = n < WORD - 4 ? n : WORD - 4;
     for (size_t k = 0; k < shown; k++)
-        word[k] = f.begin[k] >= ' ' && f.begin[k] <= '~' ? f.begin[k] : '?';
+        word[k] = blank(f.begin[k]) ? ' ' : f.begin[k] > ' ' && f.begin[k] <= '~' ? f.begin[k] : '?';
     memcpy(word + shown, n > shown ? "..." : "", n > shown ? 4 : 1);
 }
 
@@ -390,7 +399,7 @@ static et_status coordinate(reader *r, et_vec3 *p, size_t axis, field f)
     if (!number(&value, f)) {
         show(word, f);
         return et_status_fail(r->message, ET_EFORMAT, "%s:%zu: %c is not a number: \"%s\"%s", r->path, r->line, letter, word,
-                              strchr(word, ',') ? " (a decimal comma is not read)" : "");
+                              strpbrk(word, ",; ") ? " (mixed separators, or a decimal comma)" : "");
     }
     if (!isfinite(value))
         return et_status_fail(r->message, ET_EFORMAT, "%s:%zu: %c is not finite", r->path, r->line, letter);
@@ -447,7 +456,7 @@ static field without_comment(field line)
 /* What stands between the columns: the first of comma, semicolon and blanks after the first field decides (a header's own where it occurs). */
 static char separator_of(const table_form *form, field line)
 {
-    if (form->separator && form->separator != ' ' && memchr(line.begin, form->separator, (size_t)(line.end - line.begin)))
+    if (form->separator && form->separator != ' ' && has(line, form->separator))
         return form->separator;
     char *p = line.begin;
     while (p < line.end && !blank(*p) && *p != ',' && *p != ';')
@@ -464,19 +473,29 @@ static field unquoted(field f)
     return f;
 }
 
-/* Whether the line is a header (not one number among its fields); takes the columns from it where it names x, y and z. */
+/* Whether a number stands between any separators of the line: then it is no header. */
+static int holds_number(field line)
+{
+    double value;
+    field f = { line.begin, line.begin };
+    for (; f.begin < line.end; f.begin = f.end = f.end + 1) {
+        while (f.end < line.end && !blank(*f.end) && *f.end != ',' && *f.end != ';')
+            f.end++;
+        if (number(&value, f))
+            return 1;
+    }
+    return 0;
+}
+
+/* Whether the line is a header; takes the columns from it where it names x, y and z. */
 static et_status take_header(reader *r, table_form *form, field line, int *header)
 {
     static const char *const name[3] = { "x", "y", "z" };
-    size_t column[3] = { 0, 0, 0 }, found[3] = { 0, 0, 0 }, k = 0;
-    double value;
+    size_t column[3] = { 0, 0, 0 }, found[3] = { 0, 0, 0 };
+    char separator = has(line, ';') ? ';' : has(line, ',') ? ',' : ' ';
     field f, rest = line;
-    char separator = separator_of(form, line);
-    for (; next_field(&f, &rest, separator); k++) {
-        if (number(&value, f)) {
-            *header = 0;
-            return ET_OK;
-        }
+    *header = !holds_number(line);
+    for (size_t k = 0; *header && next_field(&f, &rest, separator); k++) {
         for (size_t axis = 0; axis < 3; axis++) {
             if (field_is(unquoted(f), name[axis])) {
                 column[axis] = k;
@@ -492,8 +511,7 @@ static et_status take_header(reader *r, table_form *form, field line, int *heade
         }
         memcpy(form->column, column, sizeof column);
     }
-    form->separator = separator;
-    *header = 1;
+    form->separator = *header ? separator : 0;
     return ET_OK;
 }
 
