@@ -100,7 +100,7 @@ SUM := sh tests/sum.sh
 test: $(B)/check
 	@$(SUM) '$(B)/check' $(if $(CORPUS),'$(B)/check --replay $(CORPUS)') $(if $(ROWS),'$(B)/check --golden $(ROWS)')
 harness:
-	@sh tests/harness.sh '$(BUILD)/harness' '$(CC_release)'
+	@$(SUM) 'sh tests/harness.sh $(BUILD)/harness $(CC_release)' 'sh tests/harness/rooms.sh $(BUILD)/harness $(CC_release)'
 bites: $(B)/check
 	@$(B)/check --bite $(ROWS)
 asan:
