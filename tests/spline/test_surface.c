@@ -1,0 +1,595 @@
+/* spline/surface: against the sum over all control points with the basis by its definition, and every way to a point against every other. */
+#include "etalon/spline/surface.h"
+#include "etalon/base/size.h"
+#include "etalon/spline/knots.h"
+#include "golden.h"
+#include "reference.h"
+#include <stdint.h>
+#include <stdlib.h>
+
+enum { DEGREE = 4, POINTS = 1200 };
+
+static double coordinate(const et_vec3 *p, int a)
+{
+    return a == 0 ? p->x : a == 1 ? p->y : p->z;
+}
+
+static bool same_point(et_vec3 a, et_vec3 b)
+{
+    return ref_same(a.x, b.x) && ref_same(a.y, b.y) && ref_same(a.z, b.z);
+}
+
+/* A surface of degrees p, q up to DEGREE; cubic and polynomial often, as the fast ways are.  Clamped unless `free_ends`. */
+static bool draw(gen *g, et_surface *s, bool free_ends)
+{
+    bool cubic = gen_upto(g, 1) == 0, rational = gen_upto(g, 2) == 2;
+    size_t p = cubic ? 3 : (size_t)gen_upto(g, DEGREE), q = cubic || gen_chance(g, 3) ? 3 : (size_t)gen_upto(g, DEGREE);
+    size_t nu = p + 1 + (size_t)gen_upto(g, 6), nv = q + 1 + (size_t)gen_upto(g, 6);
+    if (et_surface_new(s, p, q, nu, nv, rational) != ET_OK) {
+        return false;
+    }
+    gen_points(g, &s->points[0].x, nu * nv);
+    for (size_t i = 0; rational && i < nu * nv; i++) {
+        s->weights[i] = gen_real(g, 0.25, 4.0);
+    }
+    if (free_ends) {
+        ref_draw_knots(g, s->u, nu + p + 1, p);
+        ref_draw_knots(g, s->v, nv + q + 1, q);
+    } else {
+        gen_knots(g, s->u, nu + p + 1, p);
+        gen_knots(g, s->v, nv + q + 1, q);
+    }
+    gen_note(g, "p = %zu, q = %zu, %zu x %zu, %s", p, q, nu, nv, rational ? "rational" : "polynomial");
+    if (!et_surface_valid(s)) {
+        et_surface_free(s);
+        return false;
+    }
+    return true;
+}
+
+static double draw_u(gen *g, const et_surface *s)
+{
+    return gen_parameter(g, s->u, s->nu + s->p + 1, s->p);
+}
+
+static double draw_v(gen *g, const et_surface *s)
+{
+    return gen_parameter(g, s->v, s->nv + s->q + 1, s->q);
+}
+
+static double *room(const et_surface *s)
+{
+    return et_size_array(et_surface_work(s) + 1, sizeof(double));
+}
+
+static et_vec3 point(const et_surface *s, double u, double v)
+{
+    double *work = room(s);
+    et_vec3 S = et_surface_point(s, u, v, work, et_surface_work(s));
+    free(work);
+    return S;
+}
+
+/* The sums over all control points of a derivative of the basis times w, w x, w y, w z, and of the terms' magnitudes. */
+typedef struct { double value[4], size[4]; } sums;
+
+static sums brute(const et_surface *s, double u, double v, size_t du, size_t dv)
+{
+    double N[REF_KNOTS], NM[REF_KNOTS], M[REF_KNOTS], MM[REF_KNOTS];
+    sums t = {{0.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0}};
+    ref_derivative(N, NM, s->u, s->nu + s->p + 1, s->p, u, du);
+    ref_derivative(M, MM, s->v, s->nv + s->q + 1, s->q, v, dv);
+    for (size_t j = s->nv; j-- > 0;) {
+        for (size_t i = s->nu; i-- > 0;) {
+            size_t k = i * s->nv + j;
+            double w = s->weights ? s->weights[k] : 1.0;
+            for (int a = 0; a < 4; a++) {
+                double c = a == 0 ? w : w * coordinate(&s->points[k], a - 1);
+                t.value[a] += N[i] * M[j] * c;
+                t.size[a] += NM[i] * MM[j] * fabs(c);
+            }
+        }
+    }
+    return t;
+}
+
+/* Roundings of ours and of the brute way together, values and derivatives, first order and a bit. */
+static double slack(const et_surface *s)
+{
+    double p = (double)s->p, q = (double)s->q;
+    return (7.0 * (p + q) + 12.0 + 6.0 * (p + q) + (p + 1.0) * (q + 1.0) + 8.0) * ET_UNIT * (1.0 + 0x1p-40);
+}
+
+verdict prop_surface_valid(gen *g)
+{
+    static const double bad[] = {0.0, -1.0, HUGE_VAL, NAN, -0.0};
+    et_surface s, zero = {0, 0, 0, 0, NULL, NULL, NULL, NULL};
+    if (!draw(g, &s, true)) {
+        return SKIP;
+    }
+    size_t n = s.nu * s.nv, at = (size_t)gen_upto(g, n - 1);
+    et_surface t = s;
+    bool ok = gen_check(g, et_surface_valid(&s) == 1 && et_surface_valid(&zero) == 0, "a surface is not, or a zeroed struct is");
+    t.u = NULL;
+    ok = ok && gen_check(g, !et_surface_valid(&t), "no u");
+    t = s, t.v = NULL;
+    ok = ok && gen_check(g, !et_surface_valid(&t), "no v");
+    t = s, t.points = NULL;
+    ok = ok && gen_check(g, !et_surface_valid(&t), "no points");
+    t = s, t.p = s.nu;
+    ok = ok && gen_check(g, !et_surface_valid(&t), "p = nu");
+    t = s, t.q = SIZE_MAX;
+    ok = ok && gen_check(g, !et_surface_valid(&t), "q = SIZE_MAX");
+    t = s, t.nu = SIZE_MAX - s.p;
+    ok = ok && gen_check(g, !et_surface_valid(&t), "nu + p + 1 wraps");
+    double *c = at % 3 == 0 ? &s.points[at].x : at % 3 == 1 ? &s.points[at].y : &s.points[at].z, old = *c;
+    *c = gen_upto(g, 1) ? NAN : -HUGE_VAL;
+    ok = ok && gen_check(g, !et_surface_valid(&s), "control point %zu", at);
+    *c = old;
+    if (s.weights) {
+        s.weights[at] = bad[gen_upto(g, 4)];
+        ok = ok && gen_check(g, !et_surface_valid(&s), "weight %zu is %g", at, s.weights[at]);
+        s.weights[at] = 1.0;
+    }
+    old = s.u[s.p];
+    s.u[s.p] = NAN;
+    ok = ok && gen_check(g, !et_surface_valid(&s), "u knot");
+    s.u[s.p] = old;
+    old = s.v[s.nv + s.q];
+    s.v[s.nv + s.q] = s.v[s.q] - 1.0;
+    ok = ok && gen_check(g, !et_surface_valid(&s), "v knot");
+    s.v[s.nv + s.q] = old;
+    ok = ok && gen_check(g, et_surface_valid(&s), "put back, and not valid");
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_surface_new(gen *g)
+{
+    et_surface s, old;
+    size_t p = (size_t)gen_upto(g, 5), q = (size_t)gen_upto(g, 5), nu = (size_t)gen_upto(g, 9), nv = (size_t)gen_upto(g, 9);
+    int rational = (int)gen_upto(g, 2);
+    memset(&s, 0x3c, sizeof s);
+    old = s;
+    et_status huge = et_surface_new(&s, p, q, SIZE_MAX / 4, 1 + q, rational), wide = et_surface_new(&s, p, q, SIZE_MAX - p, SIZE_MAX - q, 0);
+    bool ok = gen_check(g, huge == ET_ENOMEM && wide == ET_ENOMEM && memcmp(&s, &old, sizeof s) == 0, "SIZE_MAX: %d, %d", (int)huge, (int)wide);
+    et_status status = et_surface_new(&s, p, q, nu, nv, rational);
+    if (nu <= p || nv <= q) {
+        gen_label(g, "too few");
+        return ok && gen_check(g, status == ET_EINVAL && memcmp(&s, &old, sizeof s) == 0, "%zu x %zu, degrees %zu, %zu: %d", nu, nv, p, q, (int)status)
+                   ? PASS
+                   : FAIL;
+    }
+    if (!gen_check(g, status == ET_OK && s.p == p && s.q == q && s.nu == nu && s.nv == nv && (s.weights != NULL) == (rational != 0), "status %d",
+                   (int)status)) {
+        return FAIL;
+    }
+    for (size_t i = 0; i < nu * nv; i++) {
+        ok = ok && s.points[i].x == 0.0 && s.points[i].y == 0.0 && s.points[i].z == 0.0 && (!rational || s.weights[i] == 1.0);
+    }
+    for (size_t i = 0; i <= nu + p; i++) {
+        ok = ok && s.u[i] == 0.0;
+    }
+    for (size_t i = 0; i <= nv + q; i++) {
+        ok = ok && s.v[i] == 0.0;
+    }
+    gen_check(g, ok, "storage is not zero, or weights not 1");
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_surface_copy(gen *g)
+{
+    et_surface s, t, none = {3, 3, 2, 2, NULL, NULL, NULL, NULL};
+    if (!draw(g, &s, true)) {
+        return SKIP;
+    }
+    memset(&t, 0x3c, sizeof t);
+    et_surface old = t;
+    bool ok = gen_check(g, et_surface_copy(&t, &none) == ET_EINVAL && memcmp(&t, &old, sizeof t) == 0, "a copy of nothing");
+    if (!gen_check(g, et_surface_copy(&t, &s) == ET_OK, "no copy")) {
+        return FAIL;
+    }
+    size_t n = s.nu * s.nv;
+    ok = ok && gen_check(g, t.p == s.p && t.q == s.q && t.nu == s.nu && t.nv == s.nv, "other sizes");
+    ok = ok && gen_check(g, t.u != s.u && t.v != s.v && t.points != s.points && (t.weights != s.weights || !s.weights), "shared storage");
+    ok = ok && gen_check(g, !memcmp(t.u, s.u, (s.nu + s.p + 1) * sizeof *s.u) && !memcmp(t.v, s.v, (s.nv + s.q + 1) * sizeof *s.v), "other knots");
+    ok = ok && gen_check(g, !memcmp(t.points, s.points, n * sizeof *s.points), "other points");
+    ok = ok && gen_check(g, !s.weights == !t.weights && (!s.weights || !memcmp(t.weights, s.weights, n * sizeof *s.weights)), "other weights");
+    et_surface_free(&s);
+    et_surface_free(&t);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_surface_free(gen *g)
+{
+    et_surface s, zero = {0, 0, 0, 0, NULL, NULL, NULL, NULL};
+    et_surface_free(&zero);
+    if (!draw(g, &s, false)) {
+        return SKIP;
+    }
+    et_surface_free(&s);
+    bool ok = gen_check(g, !s.u && !s.v && !s.points && !s.weights && !s.nu && !s.nv && !s.p && !s.q, "not zeroed");
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+/* The stated workspace suffices: a guard stands behind it. */
+verdict prop_surface_work(gen *g)
+{
+    et_surface s;
+    et_vec3 D[6], S[70];
+    double a[70], b[70];
+    if (!draw(g, &s, false)) {
+        return SKIP;
+    }
+    size_t n = et_surface_work(&s);
+    double *work = room(&s);
+    bool ok = gen_check(g, n >= 1 && work, "%zu doubles", n);
+    for (size_t k = 0; k < 70; k++) {
+        a[k] = draw_u(g, &s);
+        b[k] = draw_v(g, &s);
+    }
+    work[n] = 4711.0;
+    et_surface_point(&s, a[0], b[0], work, n);
+    ok = ok && gen_check(g, work[n] == 4711.0, "point wrote beyond %zu", n);
+    et_surface_ders(D, &s, a[0], b[0], work, n);
+    ok = ok && gen_check(g, work[n] == 4711.0, "ders wrote beyond %zu", n);
+    et_surface_points(S, &s, a, b, 70, work, n);
+    ok = ok && gen_check(g, work[n] == 4711.0, "points wrote beyond %zu", n);
+    free(work);
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_surface_point(gen *g)
+{
+    et_surface s;
+    if (!draw(g, &s, true)) {
+        return SKIP;
+    }
+    double u = draw_u(g, &s), v = draw_v(g, &s);
+    et_vec3 S = point(&s, u, v);
+    sums t = brute(&s, u, v, 0, 0);
+    bool ok = true;
+    for (int a = 0; ok && a < 3; a++) {
+        /* Numerator and denominator within slack of theirs; then one rounding each way. */
+        double w = s.weights ? t.value[0] : 1.0, want = t.value[a + 1] / w;
+        double bound = (s.weights ? 2.0 : 1.0) * (slack(&s) + 2.0 * ET_UNIT) * (t.size[a + 1] / w) + 0x1p-700;
+        ok = gen_check(g, fabs(coordinate(&S, a) - want) <= bound, "(%a, %a): coordinate %d is %a, by brute force %a", u, v, a, coordinate(&S, a), want);
+    }
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+/* A corner of a clamped surface is its control point; a parameter outside is one at the end. */
+verdict prop_surface_point_corners(gen *g)
+{
+    et_surface s;
+    if (!draw(g, &s, false)) {
+        return SKIP;
+    }
+    bool right = gen_upto(g, 1) == 1, top = gen_upto(g, 1) == 1, ok = true;
+    double u = right ? 1.0 : 0.0, v = top ? 1.0 : 0.0;
+    size_t k = (right ? s.nu - 1 : 0) * s.nv + (top ? s.nv - 1 : 0);
+    et_vec3 S = point(&s, u, v), T = point(&s, right ? 1.5 : -0.5, top ? 7.0 : -1e300);
+    for (int a = 0; ok && a < 3; a++) {
+        double P = coordinate(&s.points[k], a);
+        double want = s.weights ? s.weights[k] * P / s.weights[k] : P;
+        ok = gen_check(g, coordinate(&S, a) == want, "corner %zu, coordinate %d: %a for %a", k, a, coordinate(&S, a), want);
+    }
+    ok = ok && gen_check(g, same_point(S, T), "outside another point");
+    /* An edge is the curve of its own control points: the others may be anywhere. */
+    v = draw_v(g, &s);
+    S = point(&s, u, v);
+    for (size_t i = 0; i < s.nu; i++) {
+        for (size_t j = 0; j < s.nv && i != (right ? s.nu - 1 : 0); j++) {
+            s.points[i * s.nv + j] = (et_vec3){3.0, -5.0, 7.0};
+        }
+    }
+    T = point(&s, u, v);
+    ok = ok && gen_check(g, S.x == T.x && S.y == T.y && S.z == T.z, "the edge u = %g depends on inner control points at v = %a", u, v);
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+/* Scaling by a power of two and permuting coordinates keep every bit, translation the bound; the point is in the hull's box. */
+verdict prop_surface_point_affine(gen *g)
+{
+    et_surface s;
+    if (!draw(g, &s, true)) {
+        return SKIP;
+    }
+    double u = draw_u(g, &s), v = draw_v(g, &s), size = 0.0;
+    int e = (int)gen_upto(g, 60);
+    et_vec3 shift = {(double)gen_upto(g, 9), -(double)gen_upto(g, 9), 0.5}, S = point(&s, u, v), lo = s.points[0], hi = lo;
+    size_t n = s.nu * s.nv;
+    for (size_t k = 0; k < n; k++) {
+        et_vec3 P = s.points[k];
+        lo = (et_vec3){fmin(lo.x, P.x), fmin(lo.y, P.y), fmin(lo.z, P.z)};
+        hi = (et_vec3){fmax(hi.x, P.x), fmax(hi.y, P.y), fmax(hi.z, P.z)};
+        size = fmax(size, fmax(fabs(P.x), fmax(fabs(P.y), fabs(P.z))));
+        s.points[k] = (et_vec3){ldexp(P.y, e), -ldexp(P.z, e), ldexp(P.x, e)};
+    }
+    /* A convex combination's weights add up within slack of 1, and each term of it is within slack. */
+    double bound = 3.0 * (slack(&s) + 2.0 * ET_UNIT) * size + 0x1p-700;
+    bool ok = gen_check(g, S.x >= lo.x - bound && S.x <= hi.x + bound && S.y >= lo.y - bound && S.y <= hi.y + bound && S.z >= lo.z - bound &&
+                               S.z <= hi.z + bound, "outside the convex hull");
+    et_vec3 T = point(&s, u, v), want = {ldexp(S.y, e), -ldexp(S.z, e), ldexp(S.x, e)};
+    /* Exactly, but for products that underflow before and not after. */
+    ok = ok && gen_check(g, fabs(T.x - want.x) <= 0x1p-900 && fabs(T.y - want.y) <= 0x1p-900 && fabs(T.z - want.z) <= 0x1p-900, "scaled by 2^%d: %a for %a",
+                         e, T.x, want.x);
+    for (size_t k = 0; k < n; k++) {
+        s.points[k] = (et_vec3){ldexp(s.points[k].x, -e) + shift.x, ldexp(s.points[k].y, -e) + shift.y, ldexp(s.points[k].z, -e) + shift.z};
+    }
+    T = point(&s, u, v);
+    bound = 4.0 * (slack(&s) + 2.0 * ET_UNIT) * (size + 9.0) + 0x1p-700;
+    ok = ok && gen_check(g, fabs(T.x - (S.y + shift.x)) <= bound && fabs(T.y - (shift.y - S.z)) <= bound && fabs(T.z - (S.x + shift.z)) <= bound,
+                         "moved: %a for %a", T.x, S.y + shift.x);
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+/* With every weight equal to a power of two the surface is the polynomial one up to the division by a sum near that power. */
+verdict prop_surface_point_weights(gen *g)
+{
+    et_surface s;
+    if (!draw(g, &s, false)) {
+        return SKIP;
+    }
+    double u = draw_u(g, &s), v = draw_v(g, &s), *own = s.weights, w = ldexp(1.0, (int)gen_upto(g, 40) - 20);
+    size_t n = s.nu * s.nv;
+    s.weights = NULL;
+    et_vec3 S = point(&s, u, v);
+    s.weights = et_size_array(n, sizeof(double));
+    for (size_t k = 0; k < n; k++) {
+        s.weights[k] = w;
+    }
+    et_vec3 T = point(&s, u, v);
+    /* The sum of weights: 7(p+q) roundings from w at most; a division. */
+    double bound = (7.0 * (double)(s.p + s.q) + 1.0) * ET_UNIT * (1.0 + 0x1p-40);
+    bool ok = gen_check(g, fabs(S.x - T.x) <= bound * fabs(S.x) + 0x1p-900 && fabs(S.y - T.y) <= bound * fabs(S.y) + 0x1p-900 &&
+                               fabs(S.z - T.z) <= bound * fabs(S.z) + 0x1p-900, "weights %g: %a for %a", w, T.x, S.x);
+    free(s.weights);
+    s.weights = own;
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_surface_ders(gen *g)
+{
+    static const size_t du[6] = {0, 1, 0, 2, 1, 0}, dv[6] = {0, 0, 1, 0, 1, 2};
+    et_surface s;
+    et_vec3 D[6];
+    sums A[6];
+    if (!draw(g, &s, true)) {
+        return SKIP;
+    }
+    double u = draw_u(g, &s), v = draw_v(g, &s), *work = room(&s);
+    et_surface_ders(D, &s, u, v, work, et_surface_work(&s));
+    bool ok = gen_check(g, same_point(D[0], point(&s, u, v)), "D[0] is another point");
+    for (size_t k = 0; k < 6; k++) {
+        A[k] = brute(&s, u, v, du[k], dv[k]);
+        if (!s.weights) {                     /* the sum of the basis is 1, of its derivatives 0 */
+            A[k].value[0] = k == 0 ? 1.0 : 0.0;
+            A[k].size[0] = A[k].value[0];
+        }
+    }
+    /* Leibniz on w S = A: for each k the sum over parts of the derivative, c w^(part) S^(rest). */
+    static const int part[6][4][3] = {{{0, 0, 1}, {0, 0, 0}}, {{0, 1, 1}, {1, 0, 1}}, {{0, 2, 1}, {2, 0, 1}}, {{0, 3, 1}, {1, 1, 2}, {3, 0, 1}},
+                                      {{0, 4, 1}, {1, 2, 1}, {2, 1, 1}, {4, 0, 1}}, {{0, 5, 1}, {2, 2, 2}, {5, 0, 1}}};
+    for (size_t k = 0; k < 6; k++) {
+        for (int a = 0; ok && a < 3; a++) {
+            double sum = 0.0, size = A[k].size[a + 1];
+            for (size_t m = 0; m < 4; m++) {
+                const int *t = part[k][m];
+                sum += t[2] * A[t[0]].value[0] * coordinate(&D[t[1]], a);
+                size += t[2] * A[t[0]].size[0] * fabs(coordinate(&D[t[1]], a));
+            }
+            ok = gen_check(g, fabs(sum - A[k].value[a + 1]) <= slack(&s) * size + 0x1p-300, "(%a, %a): derivative %zu, coordinate %d: %a for %a", u, v, k, a,
+                           sum, A[k].value[a + 1]);
+        }
+    }
+    free(work);
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+/* Lengths around blocks and tables; most parameters are made, not drawn, and some drawn ones are hard. */
+verdict prop_surface_points(gen *g)
+{
+    static double u[POINTS], v[POINTS];
+    static et_vec3 S[POINTS + 1];
+    et_surface s;
+    if (!draw(g, &s, true)) {
+        return SKIP;
+    }
+    size_t n = gen_chance(g, 8) ? 1023 + (size_t)gen_upto(g, 80) : (size_t)gen_upto(g, 150);
+    uint64_t seed = gen_upto(g, UINT64_MAX);
+    double lou = s.u[s.p], hiu = s.u[s.nu], lov = s.v[s.q], hiv = s.v[s.nv], *work = room(&s);
+    for (size_t k = 0; k < n; k++) {
+        seed = seed * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+        u[k] = lou + (hiu - lou) * ((double)(seed >> 43) * 0x1p-20 - 0.5);      /* half of them outside */
+        v[k] = lov + (hiv - lov) * ((double)((seed >> 20) & 0x1fffff) * 0x1p-20 - 0.5);
+    }
+    for (size_t k = 0, hard = n < 12 ? n : 12; k < hard; k++) {
+        size_t at = (size_t)gen_upto(g, n - 1);
+        u[at] = draw_u(g, &s);
+        v[at] = draw_v(g, &s);
+    }
+    S[n] = (et_vec3){1.0, 2.0, 3.0};
+    et_surface_points(S, &s, u, v, n, work, et_surface_work(&s));
+    bool ok = gen_check(g, S[n].x == 1.0 && S[n].y == 2.0 && S[n].z == 3.0, "wrote beyond %zu points", n);
+    for (size_t k = 0; ok && k < n; k++) {
+        et_vec3 P = et_surface_point(&s, u[k], v[k], work, et_surface_work(&s));
+        ok = gen_check(g, same_point(S[k], P), "point %zu of %zu, (%a, %a): %a for %a", k, n, u[k], v[k], S[k].x, P.x);
+    }
+    free(work);
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+/* A table of cells meets many knots in one cell: crowded knots, all points near them. */
+verdict prop_surface_points_crowded(gen *g)
+{
+    static double u[POINTS], v[POINTS];
+    static et_vec3 S[POINTS];
+    et_surface s;
+    size_t nu = 4 + (size_t)gen_between(g, 4, 24), crowd = (size_t)gen_upto(g, 900);
+    double at = 0.25 + 0.5 * gen_real(g, 0.0, 1.0);
+    if (et_surface_new(&s, 3, 3, nu, 5, 0) != ET_OK) {
+        return FAIL;
+    }
+    for (size_t i = 0; i < nu + 4; i++) {
+        s.u[i] = i < 4 ? 0.0 : i >= nu ? 1.0 : at + (double)(i - 4) * 0x1p-16;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        s.v[i] = i < 4 ? -3.0 : i > 4 ? 5.0 : -2.5 + gen_real(g, 0.0, 7.0);
+    }
+    for (size_t k = 0; k < nu * 5; k++) {
+        s.points[k] = (et_vec3){(double)(k % 7), (double)(k % 11) - 4.0, 1.0 / (double)(k + 1)};
+    }
+    for (size_t k = 0; k < POINTS; k++) {
+        u[k] = k < crowd ? at + (double)k * 0x1p-20 : k % 97 == 0 ? s.u[k % (nu + 4)] : (double)k / POINTS;
+        v[k] = k % 89 == 0 ? s.v[k % 9] : -3.0 + 8.0 * (double)(k * 77 % POINTS) / POINTS;
+    }
+    double *work = room(&s);
+    et_surface_points(S, &s, u, v, POINTS, work, et_surface_work(&s));
+    bool ok = gen_check(g, et_surface_valid(&s), "not valid");
+    for (size_t k = 0; ok && k < POINTS; k++) {
+        et_vec3 P = et_surface_point(&s, u[k], v[k], work, et_surface_work(&s));
+        ok = gen_check(g, same_point(S[k], P), "point %zu, (%a, %a): %a for %a", k, u[k], v[k], S[k].x, P.x);
+    }
+    free(work);
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_surface_grid(gen *g)
+{
+    double a[20], b[20];
+    et_vec3 S[401];
+    et_surface s;
+    if (!draw(g, &s, true)) {
+        return SKIP;
+    }
+    size_t na = (size_t)gen_upto(g, 20), nb = (size_t)gen_upto(g, 20);
+    double *work = room(&s);
+    for (size_t i = 0; i < na; i++) {
+        a[i] = gen_chance(g, 10) ? 1e9 : draw_u(g, &s);
+    }
+    for (size_t j = 0; j < nb; j++) {
+        b[j] = gen_chance(g, 10) ? -1e9 : draw_v(g, &s);
+    }
+    S[na * nb] = (et_vec3){1.0, 2.0, 3.0};
+    bool ok = gen_check(g, et_surface_grid(S, &s, a, na, b, nb) == ET_OK, "no grid");
+    ok = ok && gen_check(g, S[na * nb].x == 1.0 && S[na * nb].y == 2.0 && S[na * nb].z == 3.0, "wrote beyond %zu x %zu", na, nb);
+    for (size_t k = 0; ok && k < na * nb; k++) {
+        et_vec3 P = et_surface_point(&s, a[k / nb], b[k % nb], work, et_surface_work(&s));
+        ok = gen_check(g, same_point(S[k], P), "point %zu of %zu x %zu: %a for %a", k, na, nb, S[k].x, P.x);
+    }
+    free(work);
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+/* p, q, nu, nv, rational; knots u, v; points; weights if rational.  Returns the place of the next argument, 0 if memory is short. */
+static size_t read_surface(const row *r, et_surface *s)
+{
+    size_t at = 5;
+    if (et_surface_new(s, row_size(r, 0), row_size(r, 1), row_size(r, 2), row_size(r, 3), (int)row_size(r, 4)) != ET_OK) {
+        return 0;
+    }
+    for (size_t i = 0; i <= s->nu + s->p; i++) {
+        s->u[i] = row_real(r, at++);
+    }
+    for (size_t i = 0; i <= s->nv + s->q; i++) {
+        s->v[i] = row_real(r, at++);
+    }
+    for (size_t i = 0; i < s->nu * s->nv; i++, at += 3) {
+        s->points[i] = (et_vec3){row_real(r, at), row_real(r, at + 1), row_real(r, at + 2)};
+    }
+    for (size_t i = 0; s->weights && i < s->nu * s->nv; i++) {
+        s->weights[i] = row_real(r, at++);
+    }
+    return at;
+}
+
+static bool are(const row *r, const et_vec3 *S, size_t n)
+{
+    bool ok = r->nwant == 3 * n;
+    for (size_t k = 0; ok && k < 3 * n; k++) {
+        ok = row_is(r, k, coordinate(&S[k / 3], (int)(k % 3)));
+    }
+    return ok;
+}
+
+verdict gold_surface_valid(const row *r)
+{
+    et_surface s;
+    bool ok = read_surface(r, &s) > 0 && row_is_size(r, 0, (size_t)et_surface_valid(&s));
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+verdict gold_surface_point(const row *r)
+{
+    et_surface s;
+    size_t at = read_surface(r, &s);
+    et_vec3 S = point(&s, row_real(r, at), row_real(r, at + 1));
+    bool ok = at > 0 && are(r, &S, 1);
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+/* After the surface: which of the six, u, v. */
+verdict gold_surface_ders(const row *r)
+{
+    et_surface s;
+    et_vec3 D[6];
+    size_t at = read_surface(r, &s), k = row_size(r, at);
+    double *work = room(&s);
+    et_surface_ders(D, &s, row_real(r, at + 1), row_real(r, at + 2), work, et_surface_work(&s));
+    bool ok = at > 0 && k < 6 && are(r, &D[k], 1);
+    free(work);
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+/* After the surface: n, then u and v by turns.  Repeated, so that blocks and tables are met. */
+verdict gold_surface_points(const row *r)
+{
+    static double u[POINTS], v[POINTS];
+    static et_vec3 S[POINTS];
+    et_surface s;
+    size_t at = read_surface(r, &s), n = row_size(r, at++);
+    double *work = room(&s);
+    for (size_t k = 0; k < POINTS; k++) {
+        u[k] = row_real(r, at + 2 * (k % n));
+        v[k] = row_real(r, at + 2 * (k % n) + 1);
+    }
+    et_surface_points(S, &s, u, v, POINTS, work, et_surface_work(&s));
+    bool ok = are(r, S, n) && are(r, S + POINTS / n / 2 * n, n);
+    free(work);
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+/* After the surface: na, nb, the a, the b. */
+verdict gold_surface_grid(const row *r)
+{
+    double a[16], b[16];
+    et_vec3 S[256];
+    et_surface s;
+    size_t at = read_surface(r, &s), na = row_size(r, at), nb = row_size(r, at + 1);
+    at += 2;
+    for (size_t i = 0; i < na && i < 16; i++) {
+        a[i] = row_real(r, at++);
+    }
+    for (size_t j = 0; j < nb && j < 16; j++) {
+        b[j] = row_real(r, at++);
+    }
+    bool ok = na <= 16 && nb <= 16 && et_surface_grid(S, &s, a, na, b, nb) == ET_OK && are(r, S, na * nb);
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
