@@ -9,6 +9,8 @@ typedef struct {
     winner_space w;
     tally score;
     et_doublenet net;
+    et_vec3 input;                        /* of this step ... */
+    et_index winner;                      /* ... and who won it */
     double alpha0, sigma0, tau;           /* tau == 0: alpha and sigma stay as they are */
     double *factor;                       /* by squared distance, below limit */
     size_t *dist2;                        /* the squared distances that occur, ascending */
@@ -143,46 +145,50 @@ static void decay(training *s, size_t t)
     s->within = within;
 }
 
-/* Move towards p the classes of row i on one level with j in from .. to; class j stands at array index at + j. */
-static void pull(training *s, et_index winner, et_vec3 p, size_t i, size_t level, size_t from, size_t to, size_t at)
+/* Move towards the input the classes of row i on one level with j in from .. to; class j stands at array index at + j. */
+static void pull(training *s, size_t i, size_t level, size_t from, size_t to, size_t at)
 {
-    const size_t away = i < winner.i ? winner.i - i : i - winner.i, k = level < winner.k ? winner.k - level : level - winner.k;
-    const size_t reach = away < s->rows[k] ? s->reach[k][away] : 0, base = away * away + k;
+    const size_t row = s->winner.i, column = s->winner.j, away = i < row ? row - i : i - row;
+    const size_t k = level < s->winner.k ? s->winner.k - level : level - s->winner.k, reach = away < s->rows[k] ? s->reach[k][away] : 0;
+    const double px = s->input.x, py = s->input.y, pz = s->input.z, *factor = s->factor + away * away + k;
+    double *restrict x = s->w.x + at, *restrict y = s->w.y + at, *restrict z = s->w.z + at;
 
     if (reach == 0)
         return;
-    if (winner.j + 1 > from + reach)
-        from = winner.j + 1 - reach;
-    if (winner.j + reach - 1 < to)
-        to = winner.j + reach - 1;
+    if (column + 1 > from + reach)
+        from = column + 1 - reach;
+    if (column + reach - 1 < to)
+        to = column + reach - 1;
     for (size_t j = from; j <= to; j++) {
-        const size_t across = j < winner.j ? winner.j - j : j - winner.j, c = at + j;
-        const double f = s->factor[base + across * across];
+        const size_t across = j < column ? column - j : j - column;
+        const double f = factor[across * across];
 
-        s->w.x[c] += f * (p.x - s->w.x[c]);
-        s->w.y[c] += f * (p.y - s->w.y[c]);
-        s->w.z[c] += f * (p.z - s->w.z[c]);
+        x[j] += f * (px - x[j]);
+        y[j] += f * (py - y[j]);
+        z[j] += f * (pz - z[j]);
     }
 }
 
 /* Every class within the radius, but none of the opposite view's interior (K = 2). */
-static void pull_all(training *s, et_index winner, et_vec3 p)
+static void pull_all(training *s)
 {
-    const size_t nx = s->net.nx, ny = s->net.ny, reach = s->rows[0];     /* rows[1] <= rows[0] */
-    const size_t first = winner.i + 1 > reach ? winner.i + 1 - reach : 0;
-    const size_t last = winner.i + reach - 1 < nx - 1 ? winner.i + reach - 1 : nx - 1;
+    const size_t nx = s->net.nx, ny = s->net.ny, row = s->winner.i, column = s->winner.j, reach = s->rows[0];    /* rows[1] <= rows[0] */
+    const size_t first = row + 1 > reach ? row + 1 - reach : 0, last = row + reach - 1 < nx - 1 ? row + reach - 1 : nx - 1;
+    const size_t widest = s->reach[0][0];
 
     for (size_t i = first; i <= last; i++) {
         if (i == 0 || i == nx - 1) {
-            pull(s, winner, p, i, 1, 0, ny - 1, i * ny);
+            pull(s, i, 1, 0, ny - 1, i * ny);
             continue;
         }
-        pull(s, winner, p, i, 1, 0, 0, i * ny);
-        pull(s, winner, p, i, 1, ny - 1, ny - 1, i * ny);
-        if (ny > 2 && winner.k != 2)
-            pull(s, winner, p, i, 0, 1, ny - 2, i * ny);
-        if (ny > 2 && winner.k != 0)
-            pull(s, winner, p, i, 2, 1, ny - 2, nx * ny + (i - 1) * (ny - 2) - 1);
+        if (column < widest)
+            pull(s, i, 1, 0, 0, i * ny);
+        if (ny - 1 - column < widest)
+            pull(s, i, 1, ny - 1, ny - 1, i * ny);
+        if (ny > 2 && s->winner.k != 2)
+            pull(s, i, 0, 1, ny - 2, i * ny);
+        if (ny > 2 && s->winner.k != 0)
+            pull(s, i, 2, 1, ny - 2, nx * ny + (i - 1) * (ny - 2) - 1);
     }
 }
 
@@ -215,12 +221,12 @@ et_status et_som_train(et_vec3 *weights, size_t nov, et_som_quality *quality, et
         return status;
     winner_load(&s.w, weights);
     for (size_t t = 1; t <= options->iterations && status == ET_OK; t++) {
-        const et_vec3 p = cloud[et_rng_index(rng, n)];
-        const winner_pair pair = winner_find(&s.w, p);
-
+        s.input = cloud[et_rng_index(rng, n)];
+        const winner_pair pair = winner_find(&s.w, s.input);
+        s.winner = s.w.index[pair.first];
         tally_add(&s.score, &s.w, pair);
         decay(&s, t);
-        pull_all(&s, s.w.index[pair.first], p);
+        pull_all(&s);
         if (t % STEPS_PER_REPORT == 0 && t < options->iterations)
             status = et_task_step(task, t, options->iterations);
     }

@@ -113,13 +113,15 @@ static void winner_distances(winner_space *w, et_vec3 p)
 /* The lowest array index of the least squared distance: only lanes that hold it are looked through. */
 static size_t winner_lowest(const winner_space *w)
 {
-    double least = w->least[0];
+    const double *m = w->least;
+    double four[4], least;
     size_t lowest = SIZE_MAX;
 
-    for (size_t l = 1; l < WINNER_LANES; l++)
-        least = winner_lesser(least, w->least[l]);
+    for (size_t l = 0; l < 4; l++)
+        four[l] = winner_lesser(winner_lesser(m[l], m[l + 4]), winner_lesser(m[l + 8], m[l + 12]));
+    least = winner_lesser(winner_lesser(four[0], four[1]), winner_lesser(four[2], four[3]));
     for (size_t l = 0; l < WINNER_LANES; l++)
-        if (w->least[l] == least) {
+        if (m[l] == least) {
             size_t i = l;
 
             while (w->d[i] != least)
