@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-typedef struct et_rng et_rng;             /* opaque: GSL hides behind it */
+typedef struct et_rng et_rng;             /* opaque */
 
 /* The seed of stream number k of a family: output number k (from 0) of splitmix64 (Steele, Lea and Flood 2014) started at `seed`, so
  * that run k of an experiment draws the same numbers whether it is run alone, after others, or on another thread.  For one seed the
