@@ -15,10 +15,10 @@ static void print_help(const cli_help *help, const cli_option *options, size_t n
                  options[k].letter ? "," : " ", options[k].name, options[k].value ? " " : "", options[k].value ? options[k].value : "");
         printf("%-34s %s", left, options[k].help);
         if (options[k].kind == CLI_NAME) {
-            printf(" (");
+            printf(" [");
             for (size_t w = 0; options[k].names(w); w++)
                 printf("%s%s", w ? ", " : "", options[k].names(w));
-            printf(")");
+            printf("]");
         }
         printf("\n");
     }
