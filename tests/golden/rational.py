@@ -1,16 +1,17 @@
 """rational: what the generators of golden rows share: rationals, correctly rounded hex floats, B-spline bases by their definition."""
+import re
 import sys
 from fractions import Fraction as F
 
 
+def show(x):
+    """A double as a hex float without idle zeros; a count or a word as it is."""
+    return re.sub(r"\.?0*p", "p", x.hex()) if isinstance(x, float) else str(x)
+
+
 def rounded(x):
     """The double nearest to a rational, as a hex float."""
-    return float(F(x)).hex()
-
-
-def show(x):
-    """An argument: a double as it is, a count, or a word."""
-    return x.hex() if isinstance(x, float) else str(x)
+    return show(float(F(x)))
 
 
 def row(function, kind, reason, args, want):
@@ -65,7 +66,7 @@ def above(x):
     y = float(x)
     while F(y) < x:
         y *= 1 + 2.0**-52
-    return y.hex()
+    return show(y)
 
 
 class Choices:
