@@ -122,6 +122,8 @@ et_status cli_refine(cli_refined *result, const et_surface_file *surface, const 
 void cli_refined_free(cli_refined *result);
 et_status cli_surface_copy(et_surface_file *copy, const et_surface_file *surface);
 et_status cli_surface_measure(et_surface_file *surface, const et_vec3 *data);
+/* Residuals, NOV of them, and errors; at the data's refined parameters where the surface has them. */
+et_status cli_residual(double *residual, et_fit_error *error, const et_surface_file *surface, const et_vec3 *data);
 /* How far control points leave the box of the net, as a share of its longest side: a surface that swings out between its data. */
 double cli_overshoot(const et_surface_file *surface, const et_vec3 *data);
 void cli_warn_overshoot(const cli_run *run, double overshoot);

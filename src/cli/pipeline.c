@@ -1,5 +1,6 @@
 /* pipeline: the steps of the main job, as the subcommands share them. */
 #include "cli/cli.h"
+#include "etalon/base/real.h"
 #include "etalon/base/size.h"
 #include "etalon/fit/seam.h"
 #include "etalon/refine/de.h"
@@ -122,15 +123,56 @@ et_status cli_train(et_net_file *net, double *seconds, const et_vec3 *cloud, siz
 
 /* ---- fitting -------------------------------------------------------------------------------------------------------- */
 
+/* |D_c - S(u_c, v_c)| at the data's own, refined, parameters; the bottom view's surface where both have a class. */
+static et_status residual_at(double *residual, const et_surface_file *surface, const et_vec3 *data)
+{
+    const et_surface *view = surface->fit.shell.view;
+    const et_doublenet net = surface->fit.data;
+    const size_t nov = et_doublenet_nov(net), need = et_surface_work(&view[ET_BOTTOM]), top = et_surface_work(&view[ET_TOP]);
+    const size_t nwork = need > top ? need : top;
+    double *work = et_size_array(nwork, sizeof *work);
+
+    if (!work)
+        return ET_ENOMEM;
+    for (size_t c = 1; c <= nov; c++) {
+        const et_surface *s = &view[et_doublenet_index(net, c).k == 2 ? ET_TOP : ET_BOTTOM];
+        residual[c - 1] = et_vec3_distance(data[c - 1], et_surface_point(s, surface->uv[2 * (c - 1)], surface->uv[2 * (c - 1) + 1], work, nwork));
+    }
+    free(work);
+    return ET_OK;
+}
+
+et_status cli_residual(double *residual, et_fit_error *error, const et_surface_file *surface, const et_vec3 *data)
+{
+    const size_t nov = et_doublenet_nov(surface->fit.data);
+    et_status status = et_fit_measure(error, residual, nov, &surface->fit, data);
+
+    if (status != ET_OK || !surface->uv)
+        return status;
+    status = residual_at(residual, surface, data);
+    if (status == ET_OK) {
+        error->nov = error->non = et_real_sum(residual, nov);
+        error->greatest = 0;
+        for (size_t c = 1; c <= nov; c++) {
+            error->greatest = fmax(error->greatest, residual[c - 1]);
+            if (et_doublenet_index(surface->fit.data, c).k == 1)
+                error->non += residual[c - 1];
+        }
+    }
+    return status;
+}
+
 et_status cli_surface_measure(et_surface_file *surface, const et_vec3 *data)
 {
+    double *residual = et_size_array(et_doublenet_nov(surface->fit.data), sizeof *residual);
     et_seam seam;
-    et_status status = et_seam_gap(&seam, &surface->fit.shell, SEAM_SAMPLES);
+    et_status status = residual ? et_seam_gap(&seam, &surface->fit.shell, SEAM_SAMPLES) : ET_ENOMEM;
 
     if (status == ET_OK)
-        surface->seam_gap = seam.distance;
+        status = cli_residual(residual, &surface->error, surface, data);
     if (status == ET_OK)
-        status = et_fit_measure(&surface->error, NULL, et_doublenet_nov(surface->fit.data), &surface->fit, data);
+        surface->seam_gap = seam.distance;
+    free(residual);
     return status;
 }
 
@@ -343,15 +385,6 @@ static et_status by_ceres(cli_refined *r, const et_vec3 *data, const cli_refine_
     return status;
 }
 
-/* E of the refined surface: with refined data parameters it is measured at these, so only corners and seam are taken from cli_surface_measure. */
-static et_status remeasure(cli_refined *r, const et_vec3 *data)
-{
-    const et_status status = cli_surface_measure(&r->surface, data);
-    if (status == ET_OK && r->surface.uv)
-        r->surface.error.nov = r->after;
-    return status;
-}
-
 et_status cli_refine(cli_refined *result, const et_surface_file *surface, const et_vec3 *data, cli_algorithm algorithm,
                      const cli_refine_options *options, uint64_t seed, uint64_t round, const et_task *task, et_message *message)
 {
@@ -367,7 +400,7 @@ et_status cli_refine(cli_refined *result, const et_surface_file *surface, const 
     if (status == ET_OK)
         status = algorithm <= CLI_PSO ? by_search(&made, data, options, seed, round, task, message) : by_ceres(&made, data, options, task, message);
     made.seconds = cli_cpu() - began;
-    measured = status == ET_OK || status == ET_ESTOPPED ? remeasure(&made, data) : status;
+    measured = status == ET_OK || status == ET_ESTOPPED ? cli_surface_measure(&made.surface, data) : status;
     if (measured != ET_OK) {
         cli_refined_free(&made);
         if (message && !message->text[0])

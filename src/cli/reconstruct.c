@@ -245,7 +245,7 @@ static et_status draw_error(const cli_reconstruction *r, const char *path, et_me
     const size_t nov = et_doublenet_nov(r->net.net);
     double *residual = et_size_array(nov, sizeof *residual);
     et_fit_error error;
-    et_status status = residual ? et_fit_measure(&error, residual, nov, &final->fit, r->net.weights) : ET_ENOMEM;
+    et_status status = residual ? cli_residual(residual, &error, final, r->net.weights) : ET_ENOMEM;
 
     if (status != ET_OK)
         et_status_fail(message, status, "the error cannot be measured: %s", et_status_text(status));
