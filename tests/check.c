@@ -16,6 +16,7 @@
 #include <sys/mman.h>
 #include <sys/types.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { RUNS = 1000, SECONDS = 240, SHRINK_CALLS = 100000, PATH = 1024 };
@@ -27,6 +28,7 @@ typedef struct {
     verdict result;
     bool done;
     size_t runs, skipped, passed, failed, values, missed;
+    double spent;
 } board;
 
 typedef struct { const property *p; board *b; uint64_t seed; size_t runs; const uint8_t *bytes; size_t nbytes; const char *path; } job;
@@ -90,6 +92,7 @@ static uint64_t case_seed(const char *name, uint64_t seed, size_t i)
 static void work_random(job *j)
 {
     board *b = j->b;
+    const clock_t began = clock();
 
     for (size_t i = 0; i < j->runs && b->result != FAIL; i++) {
         gen_from_seed(&b->g, case_seed(j->p->name, j->seed, i));
@@ -97,6 +100,7 @@ static void work_random(job *j)
         b->runs++;
         b->skipped += b->result == SKIP;
     }
+    b->spent = (double)(clock() - began) / CLOCKS_PER_SEC;
 }
 
 static void work_bytes(job *j)
@@ -226,7 +230,10 @@ static void random_property(const property *p, uint64_t seed, size_t runs)
         printf("FAIL %s skips %zu of %zu cases\n", p->name, shared->skipped, shared->runs);
     } else {
         passed++;
-        printf("ok %s %zu cases, %zu skipped\n", p->name, shared->runs, shared->skipped);
+        printf("ok %s %zu cases, %zu skipped", p->name, shared->runs, shared->skipped);
+        if (verbose)
+            printf(", %.3f s", shared->spent);
+        putchar('\n');
         if (verbose)
             tell_labels(shared);
     }
