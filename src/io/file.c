@@ -117,6 +117,17 @@ static et_status open_direct(et_file *file, et_message *message)
     return ET_OK;
 }
 
+/* The names of files that the process has open already: they may lead to a regular file, but must not be replaced. */
+static int is_open_file(const char *path)
+{
+    static const char *const first[] = { "/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/" };
+    for (size_t k = 0; k < sizeof first / sizeof *first; k++) {
+        if (strncmp(path, first[k], strlen(first[k])) == 0)
+            return 1;
+    }
+    return 0;
+}
+
 static et_status open_path(et_file *file, et_message *message)
 {
     struct stat before;
@@ -125,7 +136,7 @@ static et_status open_path(et_file *file, et_message *message)
         return cannot_write(message, file->path, errno);
     if (exists && S_ISDIR(before.st_mode))
         return cannot_write(message, file->path, EISDIR);
-    if (strncmp(file->path, "/dev/", 5) == 0 || (exists && !S_ISREG(before.st_mode)))
+    if (is_open_file(file->path) || (exists && !S_ISREG(before.st_mode)))
         return open_direct(file, message);
     if (exists && access(file->path, W_OK) != 0)
         return cannot_write(message, file->path, errno);

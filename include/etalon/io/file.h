@@ -20,7 +20,7 @@ enum { ET_FILE_LIVE = 64 };
  * A regular file, existing or not, is written as a new file `.etalon-PID-COUNT.tmp` in the same directory (rename(2) is atomic only
  * within one file system); a new file gets the permissions 0666 less the umask, a replaced one keeps its own.  A symbolic link to a
  * regular file stays a link: the file it leads to is replaced.  "-" is standard output.  What is not a regular file (a terminal, a FIFO,
- * /dev/null) and everything under /dev/ is opened for appending and written directly.
+ * /dev/null), and /dev/stdout, /dev/stderr, /dev/fd/N and everything under /proc/, is opened for appending and written directly.
  *
  * ET_EINVAL: path is null.  ET_EIO, message `cannot write PATH: reason`: no such directory, path is a directory, no permission, no
  * space, ET_FILE_LIVE files open already.  ET_ENOMEM.  On failure *file is unchanged and nothing has been created.
