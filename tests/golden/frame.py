@@ -23,6 +23,7 @@ c = Choices(5)
 CLOUDS = [([(0.0, 0.0, 0.0), (1.0, 2.0, 4.0)], "a box"), ([(1.0, 5.0, 2.0), (3.0, 5.0, 2.5)], "flat in y"), ([(-1.0, 0.1, 1e9), (0.3, 0.2, 1e9 + 1)], "far"),
           ([(1e-300, 0.0, 0.0), (0.0, 5e-324, 0.0)], "tiny"), ([(-8e307, 0.0, 0.0), (8e307, 1.0, 0.0)], "huge"),
           ([(2.0, 2.0, 2.0), (2.0, 2.0, 2.0), (2.0, 2.0, 2.0 + 2.0**-51)], "one ulp")]
+CLOUDS += [([(-0.0, 0.0, 0.0), (0.0, -0.0, 1.0)], "of two zeros the first")]
 CLOUDS += [([tuple(c.real(-9, 9) for _ in range(3)) for _ in range(7)], "any") for _ in range(4)]
 for p, why in CLOUDS:
     for kind in (BOX, UNIFORM, NONE):
