@@ -286,7 +286,7 @@ verdict prop_cloud_read_long(gen *g)
 {
     enum { BLOCK = 1 << 18, LONG = 1 << 21 };
     text t = { .end_of_line = some_end_of_line(g) };
-    const size_t from = gen_chance(g, 20) ? LONG : BLOCK * (1 + (size_t)gen_upto(g, 1)), lines = 1 + (size_t)gen_upto(g, 3);
+    const size_t from = gen_chance(g, 64) ? LONG : gen_chance(g, 4) ? 2 * BLOCK : BLOCK, lines = 1 + (size_t)gen_upto(g, 1);
     char *const noise = calloc(1, from), path[PATH], wanted[PATH + 40];
     const bool comment = gen_chance(g, 2);
     et_cloud cloud;
