@@ -10,17 +10,21 @@
  * normalisation then subtracts exactly and divides once, so that every coordinate is the correctly rounded quotient of two integers. */
 
 static const double pi = 0x1.921fb54442d18p+1;
-static const double tank_angle = 0x1.dac670561bb4fp-1;        /* asin(4/5): half the cap's angle, radius 10 on a sphere of 12.5 */
+static const double tank_angle = 0x1.dac670561bb4fp-1; /* asin(4/5): half the cap's angle, radius 10 on a sphere of 12.5 */
 
 /* Rings of one cap (its rim included) and of the side between the rims. */
-typedef struct { size_t cap, side; } rings;
+typedef struct {
+    size_t cap, side;
+} rings;
 
 /* A point of the profile: distance from the axis, and height. */
-typedef struct { double r, y; } profile;
+typedef struct {
+    double r, y;
+} profile;
 
 const char *et_primitive_name(et_primitive_kind kind)
 {
-    static const char *const name[] = { "cube", "sphere", "spindle", "oiltank" };
+    static const char *const name[] = {"cube", "sphere", "spindle", "oiltank"};
 
     return (size_t)kind < sizeof name / sizeof *name ? name[kind] : NULL;
 }
@@ -34,7 +38,7 @@ static double units(double v, double f)
 /* The source's resolution for a = b = 0. */
 static void source_size(et_primitive_kind kind, size_t *a, size_t *b)
 {
-    static const size_t size[][2] = { { 36, 0 }, { 59, 120 }, { 151, 50 }, { 99, 60 } };
+    static const size_t size[][2] = {{36, 0}, {59, 120}, {151, 50}, {99, 60}};
 
     if (*a == 0 && (*b == 0 || kind == ET_PRIMITIVE_CUBE)) {
         *a = size[kind][0];
@@ -44,7 +48,7 @@ static void source_size(et_primitive_kind kind, size_t *a, size_t *b)
 
 et_status et_primitive_count(size_t *count, et_primitive_kind kind, size_t a, size_t b)
 {
-    static const size_t least[] = { 2, 1, 4, 2 };
+    static const size_t least[] = {2, 1, 4, 2};
     size_t n;
 
     if (!et_primitive_name(kind))
@@ -69,7 +73,7 @@ static double lattice(size_t i, size_t n)
 /* The face y = 0 in quads, from z = 1 downwards, each point where the quads name it first; then the layers y > 0, row by row. */
 static void make_cube(et_vec3 *point, size_t n)
 {
-    const size_t corner[4][2] = { { 0, 0 }, { 0, 1 }, { 1, 1 }, { 1, 0 } };
+    const size_t corner[4][2] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
 
     for (size_t r = 0; r + 1 < n; r++)
         for (size_t c = 0; c + 1 < n; c++)
@@ -77,30 +81,30 @@ static void make_cube(et_vec3 *point, size_t n)
                 const size_t dc = corner[k][0], dr = corner[k][1];
 
                 if ((c == 0 || dc == 1) && (r == 0 || dr == 1))
-                    *point++ = (et_vec3){ lattice(c + dc, n), 0, lattice(n - 1 - (r + dr), n) };
+                    *point++ = (et_vec3){lattice(c + dc, n), 0, lattice(n - 1 - (r + dr), n)};
             }
     for (size_t y = 1; y < n; y++)
         for (size_t r = 0; r < n; r++) {
             const size_t step = y == n - 1 || r == 0 || r == n - 1 ? 1 : n - 1;
 
             for (size_t c = 0; c < n; c += step)
-                *point++ = (et_vec3){ lattice(c, n), lattice(y, n), lattice(n - 1 - r, n) };
+                *point++ = (et_vec3){lattice(c, n), lattice(y, n), lattice(n - 1 - r, n)};
         }
 }
 
 static void make_sphere(et_vec3 *point, size_t a, size_t b)
 {
-    *point++ = (et_vec3){ 0, units(10, 0), 0 };
+    *point++ = (et_vec3){0, units(10, 0), 0};
     for (size_t r = 1; r <= a; r++) {
         const double theta = pi * (double)r / (double)(a + 1), radius = 10 * et_real_sin(theta), y = units(10 * et_real_cos(theta), 0);
 
         for (size_t s = 0; s < b; s++) {
             const double phi = 2 * pi * (double)s / (double)b;
 
-            *point++ = (et_vec3){ units(-radius * et_real_sin(phi), 0), y, units(-radius * et_real_cos(phi), -0.2) };
+            *point++ = (et_vec3){units(-radius * et_real_sin(phi), 0), y, units(-radius * et_real_cos(phi), -0.2)};
         }
     }
-    *point = (et_vec3){ 0, units(-10, 0), 0 };
+    *point = (et_vec3){0, units(-10, 0), 0};
 }
 
 /* a rings of a solid with two caps, in the proportions of the source: the nearest whole number to a*cap/(2*cap + side), at least 1. */
@@ -116,14 +120,14 @@ static rings divide(size_t a, size_t cap, size_t side)
 
 static profile spindle_cap(size_t i, size_t cap)
 {
-    return (profile){ 0.01 + 29.99 * (double)i / (double)cap, 30 - 15 * (double)i / (double)cap };
+    return (profile){0.01 + 29.99 * (double)i / (double)cap, 30 - 15 * (double)i / (double)cap};
 }
 
 static profile tank_cap(size_t i, size_t cap)
 {
     const double angle = tank_angle * (double)i / (double)cap;
 
-    return (profile){ 12.5 * et_real_sin(angle), 12.45 - 12.5 * (1 - et_real_cos(angle)) };
+    return (profile){12.5 * et_real_sin(angle), 12.45 - 12.5 * (1 - et_real_cos(angle))};
 }
 
 /* Ring k of a, from the top: of the cap, of the side, or the mirror of one above.  The spindle's cap begins with the ring at its tip. */
@@ -138,7 +142,7 @@ static profile ring(et_primitive_kind kind, size_t k, size_t a)
     if (k >= top && k < top + d.side) {
         const double along = (double)(k - top + 1) / (double)(d.side + 1);
 
-        return kind == ET_PRIMITIVE_SPINDLE ? (profile){ 30, 15 - 30 * along } : (profile){ 10, 7.45 - 14.9 * along };
+        return kind == ET_PRIMITIVE_SPINDLE ? (profile){30, 15 - 30 * along} : (profile){10, 7.45 - 14.9 * along};
     }
     p = kind == ET_PRIMITIVE_SPINDLE ? spindle_cap(mirrored, d.cap) : tank_cap(mirrored + 1, d.cap);
     p.y = k < top ? p.y : -p.y;
@@ -149,17 +153,17 @@ static void make_revolved(et_vec3 *point, et_primitive_kind kind, size_t a, size
 {
     const double pole = kind == ET_PRIMITIVE_SPINDLE ? 30 : 12.45;
 
-    *point++ = (et_vec3){ 0, units(pole, 0), 0 };
+    *point++ = (et_vec3){0, units(pole, 0), 0};
     for (size_t k = 0; k < a; k++) {
         const profile p = ring(kind, k, a);
 
         for (size_t s = 0; s < b; s++) {
             const double phi = 2 * pi * (double)s / (double)b;
 
-            *point++ = (et_vec3){ units(p.r * et_real_cos(phi), 0), units(p.y, 0), units(-p.r * et_real_sin(phi), 0) };
+            *point++ = (et_vec3){units(p.r * et_real_cos(phi), 0), units(p.y, 0), units(-p.r * et_real_sin(phi), 0)};
         }
     }
-    *point = (et_vec3){ 0, units(-pole, 0), 0 };
+    *point = (et_vec3){0, units(-pole, 0), 0};
 }
 
 et_status et_primitive_make(et_vec3 *points, size_t count, et_primitive_kind kind, size_t a, size_t b)
@@ -180,7 +184,7 @@ et_status et_primitive_make(et_vec3 *points, size_t count, et_primitive_kind kin
     else
         make_revolved(points, kind, a, b);
     if (et_frame_of(&frame, points, count, ET_FRAME_BOX))
-        return ET_EINTERNAL;              /* cannot be: finite, and extended along each axis */
+        return ET_EINTERNAL; /* cannot be: finite, and extended along each axis */
     et_frame_to_unit(points, count, &frame);
     return ET_OK;
 }

@@ -9,19 +9,19 @@ typedef struct {
     winner_space w;
     tally score;
     et_doublenet net;
-    et_vec3 input;                        /* of this step ... */
-    et_index winner;                      /* ... and who won it */
-    double alpha0, sigma0, tau;           /* tau == 0: alpha and sigma stay as they are */
-    double *factor;                       /* by squared distance, below limit */
-    size_t *dist2;                        /* the squared distances that occur, ascending */
-    size_t limit, distinct, within;       /* within: how many of dist2 are below sigma^2 now */
-    size_t *reach[2];                     /* reach[K][I]: how many J < ny have I^2 + J^2 + K^2 below sigma^2 ... */
-    size_t rows[2];                       /* ... for I < rows[K], beyond which none has */
+    et_vec3 input;                  /* of this step ... */
+    et_index winner;                /* ... and who won it */
+    double alpha0, sigma0, tau;     /* tau == 0: alpha and sigma stay as they are */
+    double *factor;                 /* by squared distance, below limit */
+    size_t *dist2;                  /* the squared distances that occur, ascending */
+    size_t limit, distinct, within; /* within: how many of dist2 are below sigma^2 now */
+    size_t *reach[2];               /* reach[K][I]: how many J < ny have I^2 + J^2 + K^2 below sigma^2 ... */
+    size_t rows[2];                 /* ... for I < rows[K], beyond which none has */
 } training;
 
 et_som_options et_som_defaults(void)
 {
-    const et_som_options options = { 30000, 0.9, 0 };
+    const et_som_options options = {30000, 0.9, 0};
 
     return options;
 }
@@ -82,7 +82,7 @@ static et_status list_distances(training *s)
 
 static et_status training_new(training *s, et_doublenet net, const et_som_options *options)
 {
-    const training none = { 0 };
+    const training none = {0};
     const double side = (double)(net.nx < net.ny ? net.nx : net.ny);
     et_status status;
 
@@ -90,7 +90,7 @@ static et_status training_new(training *s, et_doublenet net, const et_som_option
     s->net = net;
     s->alpha0 = options->alpha0;
     s->sigma0 = options->sigma0 > 0 ? options->sigma0 : side / 2;
-    s->sigma0 = s->sigma0 > 1 ? s->sigma0 : 1;     /* no radius up to 1 reaches beyond the winner */
+    s->sigma0 = s->sigma0 > 1 ? s->sigma0 : 1; /* no radius up to 1 reaches beyond the winner */
     s->tau = s->sigma0 > 1 ? (double)options->iterations / et_real_log(s->sigma0) : 0;
     status = limit_of(&s->limit, net, s->sigma0);
     if (status)
@@ -141,7 +141,7 @@ static void decay(training *s, size_t t)
         within++;
     }
     if (within != s->within)
-        set_reach(s, s->dist2[within - 1]);       /* 0 is always within */
+        set_reach(s, s->dist2[within - 1]); /* 0 is always within */
     s->within = within;
 }
 
@@ -172,7 +172,7 @@ static void pull(training *s, size_t i, size_t level, size_t from, size_t to, si
 /* Every class within the radius, but none of the opposite view's interior (K = 2). */
 static void pull_all(training *s)
 {
-    const size_t nx = s->net.nx, ny = s->net.ny, row = s->winner.i, column = s->winner.j, reach = s->rows[0];    /* rows[1] <= rows[0] */
+    const size_t nx = s->net.nx, ny = s->net.ny, row = s->winner.i, column = s->winner.j, reach = s->rows[0]; /* rows[1] <= rows[0] */
     const size_t first = row + 1 > reach ? row + 1 - reach : 0, last = row + reach - 1 < nx - 1 ? row + reach - 1 : nx - 1;
     const size_t widest = s->reach[0][0];
 

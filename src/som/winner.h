@@ -14,20 +14,20 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { WINNER_LANES = 16, WINNER_CHUNK = 2 * WINNER_LANES };       /* two rows at a time */
+enum { WINNER_LANES = 16, WINNER_CHUNK = 2 * WINNER_LANES }; /* two rows at a time */
 
 typedef struct {
-    double *memory;                       /* all arrays below but index */
-    double *x, *y, *z;                    /* weights of class c at c - 1 */
-    double *d;                            /* squared distances to the last input */
-    double least[WINNER_LANES];           /* the least d of each lane */
+    double *memory;             /* all arrays below but index */
+    double *x, *y, *z;          /* weights of class c at c - 1 */
+    double *d;                  /* squared distances to the last input */
+    double least[WINNER_LANES]; /* the least d of each lane */
     size_t classes, padded;
-    et_index *index;                      /* index vectors of the classes */
+    et_index *index; /* index vectors of the classes */
 } winner_space;
 
 typedef struct {
-    size_t first, second;                 /* array indices: class - 1 */
-    double d2;                            /* squared distance of the first */
+    size_t first, second; /* array indices: class - 1 */
+    double d2;            /* squared distance of the first */
 } winner_pair;
 
 /* Squares of differences of such numbers cannot overflow, and no NaN is among them. */
@@ -162,9 +162,9 @@ static winner_pair winner_find(winner_space *w, et_vec3 p)
 enum { TALLY_BLOCK = 4096 };
 
 typedef struct {
-    double *error;                        /* of the block now filling */
-    double *block;                        /* sums of the full blocks */
-    size_t count, apart;                  /* inputs; those whose winner and second winner are not adjacent */
+    double *error;       /* of the block now filling */
+    double *block;       /* sums of the full blocks */
+    size_t count, apart; /* inputs; those whose winner and second winner are not adjacent */
     double least, greatest;
 } tally;
 

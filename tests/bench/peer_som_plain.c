@@ -1,5 +1,6 @@
-/* peer_som_plain ITEM SIZE: double-net training as one writes it in C: an array of structs, every class looked at twice a step, one exp for each class
- * that moves.  Compiled with -O2 in every build.  Prints `c99-O2 SECONDS QE`: the least of five trainings' times, the mean error during training. */
+/* peer_som_plain ITEM SIZE: double-net training as one writes it in C: an array of structs, every class looked at twice a step, one exp for each
+ * class that moves.  Compiled with -O2 in every build.  Prints `c99-O2 SECONDS QE`: the least of five trainings' times, the mean error during
+ * training. */
 #include "bench.h"
 #include "som_input.h"
 #include <math.h>
@@ -7,7 +8,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-typedef struct { double x, y, z; int i, j, k; } neuron;
+typedef struct {
+    double x, y, z;
+    int i, j, k;
+} neuron;
 
 static neuron neurons[SOM_INPUT_CLASSES];
 static double cloud[3 * SOM_INPUT_POINTS], start[3 * SOM_INPUT_CLASSES];

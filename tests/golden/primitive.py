@@ -129,7 +129,8 @@ for name, rows in TABLE_3_1.items():
         off = name == "oiltank" and i in (2, 3)              # the printed z of these is 3e-6 larger than the solid's
         row("make", "abs %s" % (3.6e-6 if off else 5.1e-7).hex(), "table 3.1", (name, 0, 0, i), [float(x).hex() for x in text.split()])
 for name in COUNTS:
-    samples(name, (0, 0), "source's size", lambda n: sorted({0, 1, 2, 5, n // 7, n // 5, n // 3, n // 2, 2 * n // 3, 4 * n // 5, n - 3, n - 2, n - 1}))
-for name, sizes in (("cube", (2, 0)), ("cube", (3, 0)), ("cube", (8, 0)), ("sphere", (1, 3)), ("sphere", (6, 7)), ("spindle", (4, 3)), ("spindle", (5, 7)),
-                    ("spindle", (13, 5)), ("oiltank", (2, 3)), ("oiltank", (3, 7)), ("oiltank", (13, 5))):
+    samples(name, (0, 0), "source's size",
+            lambda n: sorted({0, 1, 2, 5, n // 7, n // 5, n // 3, n // 2, 2 * n // 3, 4 * n // 5, n - 3, n - 2, n - 1}))
+for name, sizes in (("cube", (2, 0)), ("cube", (3, 0)), ("cube", (8, 0)), ("sphere", (1, 3)), ("sphere", (6, 7)), ("spindle", (4, 3)),
+                    ("spindle", (5, 7)), ("spindle", (13, 5)), ("oiltank", (2, 3)), ("oiltank", (3, 7)), ("oiltank", (13, 5))):
     samples(name, sizes, "other sizes", lambda n: range(n) if n < 9 else sorted({1, n // 4, n // 2, 2 * n // 3, n - 2}))

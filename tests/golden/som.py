@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Golden rows of som: the training loop once more, in plain loops over all classes, with its own Mersenne twister in integers.
 
-Python's floats are IEEE doubles and its arithmetic is not contracted, so the rows hold bit for bit.  exp and log are those of the platform's C library,
-correctly rounded or not: a reader on another platform compares with these rows, not with a new run of this script.
+Python's floats are IEEE doubles and its arithmetic is not contracted, so the rows hold bit for bit.  exp and log are those of the platform's C
+library, correctly rounded or not: a reader on another platform compares with these rows, not with a new run of this script.
 
 Usage: som.py > golden/som.tsv
 """
@@ -95,13 +95,25 @@ OCTAHEDRON = [(0, .5, .5), (1, .5, .5), (.5, 0, .5), (.5, 1, .5), (.5, .5, 0), (
 CUBE = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
 HELIX = [(k / 16, (k * k % 17) / 16, (k * k * k % 17) / 16) for k in range(17)]
 
-CASES = (("one step", 2, 2, 1, .9, 0, 1, OCTAHEDRON), ("side of 2: constant rate", 2, 2, 40, .9, 0, 2, CUBE), ("no interior", 2, 5, 30, .9, 0, 3, CUBE),
-         ("one inner node a view", 3, 3, 25, .9, 0, 4, OCTAHEDRON), ("the source's figure", 4, 5, 60, .9, 0, 5, HELIX), ("transposed", 5, 4, 60, .9, 0, 5, HELIX),
-         ("one point", 3, 4, 20, .9, 0, 6, [(.25, .5, .75)]), ("coincident points", 3, 4, 20, .9, 0, 7, [(.25, .5, .75)] * 3 + [(1, 0, 1)]),
-         ("rate of 1: winner meets input", 3, 3, 30, 1.0, 1.5, 8, CUBE), ("radius below 1", 4, 4, 30, .5, .25, 9, CUBE), ("radius of 1", 4, 4, 30, .5, 1.0, 9, CUBE),
-         ("radius above the net", 4, 4, 30, .5, 50.0, 10, HELIX), ("radius of an ulp over 1", 3, 3, 30, .5, 1 + 2.0**-52, 11, HELIX),
-         ("small rate", 5, 5, 50, 2.0**-20, 0, 12, HELIX), ("odd side", 5, 7, 100, .9, 0, 13, HELIX), ("seed 0", 3, 3, 10, .9, 0, 0, CUBE),
-         ("even side", 6, 6, 200, .9, 0, 14, CUBE), ("long and thin", 2, 20, 60, .9, 3.0, 15, HELIX), ("thin and long", 20, 2, 60, .9, 3.0, 15, HELIX))
+CASES = (("one step", 2, 2, 1, .9, 0, 1, OCTAHEDRON),
+         ("side of 2: constant rate", 2, 2, 40, .9, 0, 2, CUBE),
+         ("no interior", 2, 5, 30, .9, 0, 3, CUBE),
+         ("one inner node a view", 3, 3, 25, .9, 0, 4, OCTAHEDRON),
+         ("the source's figure", 4, 5, 60, .9, 0, 5, HELIX),
+         ("transposed", 5, 4, 60, .9, 0, 5, HELIX),
+         ("one point", 3, 4, 20, .9, 0, 6, [(.25, .5, .75)]),
+         ("coincident points", 3, 4, 20, .9, 0, 7, [(.25, .5, .75)] * 3 + [(1, 0, 1)]),
+         ("rate of 1: winner meets input", 3, 3, 30, 1.0, 1.5, 8, CUBE),
+         ("radius below 1", 4, 4, 30, .5, .25, 9, CUBE),
+         ("radius of 1", 4, 4, 30, .5, 1.0, 9, CUBE),
+         ("radius above the net", 4, 4, 30, .5, 50.0, 10, HELIX),
+         ("radius of an ulp over 1", 3, 3, 30, .5, 1 + 2.0**-52, 11, HELIX),
+         ("small rate", 5, 5, 50, 2.0**-20, 0, 12, HELIX),
+         ("odd side", 5, 7, 100, .9, 0, 13, HELIX),
+         ("seed 0", 3, 3, 10, .9, 0, 0, CUBE),
+         ("even side", 6, 6, 200, .9, 0, 14, CUBE),
+         ("long and thin", 2, 20, 60, .9, 3.0, 15, HELIX),
+         ("thin and long", 20, 2, 60, .9, 3.0, 15, HELIX))
 
 print("# function\tclass\treason\targuments as in tests/som/test_som.c\twanted")
 print("# made by tests/golden/som.py: an independent loop and generator")

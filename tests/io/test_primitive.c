@@ -10,8 +10,8 @@
 
 enum { CUBE = 12, RINGS = 40, SIDES = 24, MOST = RINGS * SIDES + 2 };
 
-static const char *const names[] = { "cube", "sphere", "spindle", "oiltank" };
-static const size_t least_rings[] = { 2, 1, 4, 2 };
+static const char *const names[] = {"cube", "sphere", "spindle", "oiltank"};
+static const size_t least_rings[] = {2, 1, 4, 2};
 
 verdict prop_primitive_name(gen *g);
 verdict prop_primitive_name(gen *g)
@@ -38,7 +38,7 @@ static size_t count_cube(size_t n)
 verdict prop_primitive_count(gen *g);
 verdict prop_primitive_count(gen *g)
 {
-    static const size_t source[] = { 7352, 7082, 7552, 5942 }, huge[] = { SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 3 + 1 };
+    static const size_t source[] = {7352, 7082, 7552, 5942}, huge[] = {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 3 + 1};
     const size_t kind = gen_upto(g, 4), a = gen_upto(g, CUBE), b = gen_upto(g, 8), big = huge[gen_upto(g, 2)];
     const bool cube = kind == ET_PRIMITIVE_CUBE, by_default = a == 0 && (b == 0 || cube);
     const bool sound = kind < 4 && (by_default || (a >= least_rings[kind] && (cube || b >= 3)));
@@ -46,7 +46,8 @@ verdict prop_primitive_count(gen *g)
     size_t n = 77;
     et_status status = et_primitive_count(&n, (et_primitive_kind)kind, a, b);
 
-    if (!gen_check(g, status == (sound ? ET_OK : ET_EINVAL) && n == (sound ? want : 77), "kind %zu, %zu, %zu: %zu points, got %zu", kind, a, b, want, n))
+    if (!gen_check(g, status == (sound ? ET_OK : ET_EINVAL) && n == (sound ? want : 77), "kind %zu, %zu, %zu: %zu points, got %zu", kind, a, b, want,
+                   n))
         return FAIL;
     n = 77;
     status = et_primitive_count(&n, (et_primitive_kind)(kind % 4), big, 3);
@@ -67,8 +68,8 @@ static double line(size_t i, size_t n)
 
 static size_t expect_cube(et_vec3 *p, size_t n)
 {
-    static const size_t turn[4][2] = { { 0, 0 }, { 0, 1 }, { 1, 1 }, { 1, 0 } };
-    bool seen[CUBE][CUBE] = { { false } };
+    static const size_t turn[4][2] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
+    bool seen[CUBE][CUBE] = {{false}};
     size_t at = 0;
 
     for (size_t r = 0; r + 1 < n; r++)
@@ -77,14 +78,14 @@ static size_t expect_cube(et_vec3 *p, size_t n)
                 bool *s = &seen[c + turn[k][0]][r + turn[k][1]];
 
                 if (!*s)
-                    p[at++] = (et_vec3){ line(c + turn[k][0], n), 0, line(n - 1 - (r + turn[k][1]), n) };
+                    p[at++] = (et_vec3){line(c + turn[k][0], n), 0, line(n - 1 - (r + turn[k][1]), n)};
                 *s = true;
             }
     for (size_t y = 1; y < n; y++)
         for (size_t r = 0; r < n; r++)
             for (size_t x = 0; x < n; x++)
                 if (y == n - 1 || r == 0 || r == n - 1 || x == 0 || x == n - 1)
-                    p[at++] = (et_vec3){ line(x, n), line(y, n), line(n - 1 - r, n) };
+                    p[at++] = (et_vec3){line(x, n), line(y, n), line(n - 1 - r, n)};
     return at;
 }
 
@@ -105,7 +106,8 @@ static size_t cap_rings(size_t a, size_t cap, size_t whole)
 static void expect_ring(double *r, double *y, size_t kind, size_t k, size_t a)
 {
     const double angle = acos(-1) * (double)(k + 1) / (double)(a + 1), half = asin(0.8);
-    const size_t up = 2 * k + 1 > a ? a - 1 - k : k, spindle_cap = kind == 2 ? cap_rings(a - 2, 50, 149) : 0, tank_cap = kind == 3 ? cap_rings(a, 20, 99) : 0;
+    const size_t up = 2 * k + 1 > a ? a - 1 - k : k, spindle_cap = kind == 2 ? cap_rings(a - 2, 50, 149) : 0,
+                 tank_cap = kind == 3 ? cap_rings(a, 20, 99) : 0;
     const size_t cap = kind == 2 ? spindle_cap + 1 : tank_cap, side = a - 2 * cap, past = up + 1 - (up < cap ? up + 1 : cap);
     const double down = (double)past / (double)(side + 1);
 
@@ -131,15 +133,15 @@ static void expect_rings(et_vec3 *p, size_t kind, size_t a, size_t b)
 {
     const double top = kind == 1 ? 10 : kind == 2 ? 30 : 12.45;
 
-    p[0] = (et_vec3){ 0, top, 0 };
-    p[a * b + 1] = (et_vec3){ 0, -top, 0 };
+    p[0] = (et_vec3){0, top, 0};
+    p[a * b + 1] = (et_vec3){0, -top, 0};
     for (size_t k = 0; k < a; k++)
         for (size_t s = 0; s < b; s++) {
             const double f = 2 * acos(-1) * (double)s / (double)b;
             double r, y;
 
             expect_ring(&r, &y, kind, k, a);
-            p[1 + k * b + s] = kind == 1 ? (et_vec3){ -r * sin(f), y, -r * cos(f) } : (et_vec3){ r * cos(f), y, -r * sin(f) };
+            p[1 + k * b + s] = kind == 1 ? (et_vec3){-r * sin(f), y, -r * cos(f)} : (et_vec3){r * cos(f), y, -r * sin(f)};
         }
 }
 
@@ -210,7 +212,7 @@ verdict prop_primitive_make(gen *g)
 /* a = b = 0 is the source's resolution, its points all different. */
 static bool source_cloud(gen *g, et_primitive_kind kind)
 {
-    static const size_t size[][2] = { { 36, 99 }, { 59, 120 }, { 151, 50 }, { 99, 60 } };
+    static const size_t size[][2] = {{36, 99}, {59, 120}, {151, 50}, {99, 60}};
     static et_vec3 p[7552], q[7552];
     size_t n = 0;
     bool ok = et_primitive_count(&n, kind, 0, 0) == ET_OK && et_primitive_make(p, n, kind, 0, 0) == ET_OK && in_cube(g, p, n);
@@ -225,10 +227,13 @@ verdict prop_primitive_make_source(gen *g);
 verdict prop_primitive_make_source(gen *g)
 {
     const size_t kind = gen_upto(g, 3);
-    et_vec3 p[4] = { { 77, 0, 0 } };
+    et_vec3 p[4] = {{77, 0, 0}};
 
-    if (!gen_check(g, et_primitive_make(p, 4, ET_PRIMITIVE_SPHERE, 0, 4) == ET_EINVAL && et_primitive_make(p, 4, (et_primitive_kind)4, 0, 0) == ET_EINVAL &&
-                          et_primitive_make(p, 4, ET_PRIMITIVE_CUBE, 1, 0) == ET_EINVAL && p[0].x == 77, "refused"))
+    if (!gen_check(g,
+                   et_primitive_make(p, 4, ET_PRIMITIVE_SPHERE, 0, 4) == ET_EINVAL &&
+                       et_primitive_make(p, 4, (et_primitive_kind)4, 0, 0) == ET_EINVAL &&
+                       et_primitive_make(p, 4, ET_PRIMITIVE_CUBE, 1, 0) == ET_EINVAL && p[0].x == 77,
+                   "refused"))
         return FAIL;
     return source_cloud(g, (et_primitive_kind)kind) ? PASS : FAIL;
 }
@@ -256,9 +261,9 @@ static void expect_disturbed(et_vec3 *p, size_t n, double sigma, size_t chosen, 
 verdict prop_primitive_disturb(gen *g);
 verdict prop_primitive_disturb(gen *g)
 {
-    static const double sigmas[] = { 0, 0.01, 1, 0x1p-1070 };
+    static const double sigmas[] = {0, 0.01, 1, 0x1p-1070};
     et_vec3 p[61], want[61], old[61];
-    bool hit[60] = { false };
+    bool hit[60] = {false};
     const size_t n = gen_upto(g, 60);
     const double sigma = sigmas[gen_upto(g, 3)], fraction = gen_real(g, 0, 1);
     const size_t chosen = (size_t)floor(fraction * (double)n + 0.5);
@@ -279,7 +284,8 @@ verdict prop_primitive_disturb(gen *g)
     }
     expect_disturbed(want, n, sigma, chosen, hit, b);
     ok = gen_check(g, et_primitive_disturb(p, n, sigma, fraction, a) == ET_OK, "disturbed") &&
-         gen_check(g, memcmp(p, want, sizeof p) == 0, "by the draws in their order") && gen_check(g, et_rng_tell(a) == et_rng_tell(b), "as many draws");
+         gen_check(g, memcmp(p, want, sizeof p) == 0, "by the draws in their order") &&
+         gen_check(g, et_rng_tell(a) == et_rng_tell(b), "as many draws");
     for (size_t i = 0; ok && i < n; i++) {
         hits += hit[i];
         changed += memcmp(&p[i], &old[i], sizeof p[i]) != 0;
@@ -295,8 +301,8 @@ verdict prop_primitive_disturb(gen *g)
 verdict prop_primitive_disturb_refuses(gen *g);
 verdict prop_primitive_disturb_refuses(gen *g)
 {
-    static const double bad[] = { -DBL_MIN, -1, INFINITY, NAN, 0x1.0000000000001p0 };
-    et_vec3 p[3] = { { 1, 2, 3 }, { 4, 5, 6 }, { 7, 8, 9 } };
+    static const double bad[] = {-DBL_MIN, -1, INFINITY, NAN, 0x1.0000000000001p0};
+    et_vec3 p[3] = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
     const double x = bad[gen_upto(g, 3)], y = bad[gen_upto(g, 4)];
     const bool first = gen_chance(g, 2);
     et_rng *rng;
@@ -311,19 +317,21 @@ verdict prop_primitive_disturb_refuses(gen *g)
     return gen_check(g, ok, "refused, nothing changed, nothing drawn") ? PASS : FAIL;
 }
 
-typedef struct { double qe, te; } figures;
+typedef struct {
+    double qe, te;
+} figures;
 
 static bool train_ten(figures *mean, et_primitive_kind kind, et_vec3 *cloud)
 {
-    const et_doublenet net = { 10, 10 };
+    const et_doublenet net = {10, 10};
     const et_som_options o = et_som_defaults();
     et_vec3 w[164];
     size_t n;
     bool ok = et_primitive_count(&n, kind, 0, 0) == ET_OK && et_primitive_make(cloud, n, kind, 0, 0) == ET_OK;
 
-    *mean = (figures){ 0, 0 };
+    *mean = (figures){0, 0};
     for (uint64_t k = 0; ok && k < 10; k++) {
-        et_som_quality q = { 0 };
+        et_som_quality q = {0};
         et_rng *rng;
 
         if (et_rng_new(&rng, et_rng_stream(1, k)))
@@ -341,16 +349,18 @@ static bool train_ten(figures *mean, et_primitive_kind kind, et_vec3 *cloud)
 verdict prop_som_train_published(gen *g);
 verdict prop_som_train_published(gen *g)
 {
-    static const figures printed[2] = { { 0.138079, 0.218967 }, { 0.098825, 0.235833 } };
+    static const figures printed[2] = {{0.138079, 0.218967}, {0.098825, 0.235833}};
     static et_vec3 cloud[7352];
     static figures ours[2];
-    static int state;                     /* 0 not yet, 1 trained, 2 failed */
+    static int state; /* 0 not yet, 1 trained, 2 failed */
     const size_t k = gen_upto(g, 1);
 
     if (state == 0)
         state = train_ten(&ours[0], ET_PRIMITIVE_CUBE, cloud) && train_ten(&ours[1], ET_PRIMITIVE_SPHERE, cloud) ? 1 : 2;
-    return gen_check(g, state == 1 && fabs(ours[k].qe / printed[k].qe - 1) <= 0.02 && fabs(ours[k].te - printed[k].te) <= 0.02, "%s: %f, %f printed %f, %f", names[k],
-                     ours[k].qe, ours[k].te, printed[k].qe, printed[k].te) ? PASS : FAIL;
+    return gen_check(g, state == 1 && fabs(ours[k].qe / printed[k].qe - 1) <= 0.02 && fabs(ours[k].te - printed[k].te) <= 0.02,
+                     "%s: %f, %f printed %f, %f", names[k], ours[k].qe, ours[k].te, printed[k].qe, printed[k].te)
+               ? PASS
+               : FAIL;
 }
 
 static et_primitive_kind row_kind(const row *r)

@@ -8,8 +8,8 @@ enum { SIDE = 12, LONG = 50, NODES = 2 * LONG * LONG };
 
 typedef struct {
     size_t nodes, classes;
-    size_t number[2][LONG][LONG];         /* of node (view, i, j) */
-    et_index vector[NODES];               /* of class c at c - 1 */
+    size_t number[2][LONG][LONG]; /* of node (view, i, j) */
+    et_index vector[NODES];       /* of class c at c - 1 */
 } brute;
 
 static size_t level(et_doublenet net, size_t view, size_t i, size_t j)
@@ -25,10 +25,10 @@ static void enumerate(brute *b, et_doublenet net)
     for (size_t view = 0; view < 2; view++)
         for (size_t i = 0; i < net.nx; i++)
             for (size_t j = 0; j < net.ny; j++) {
-                const et_index v = { i, j, level(net, view, i, j) };
+                const et_index v = {i, j, level(net, view, i, j)};
                 size_t c = 0;
 
-                if (view == 1)            /* only then can the vector have been seen, at the same place of the bottom */
+                if (view == 1) /* only then can the vector have been seen, at the same place of the bottom */
                     c = v.k == 1 ? b->number[0][i][j] : 0;
                 if (c == 0) {
                     b->vector[b->classes++] = v;
@@ -51,9 +51,9 @@ static bool distinct(const brute *b)
 
 static et_doublenet small_net(gen *g)
 {
-    et_doublenet net = { gen_between(g, 2, SIDE), gen_between(g, 2, SIDE) };
+    et_doublenet net = {gen_between(g, 2, SIDE), gen_between(g, 2, SIDE)};
 
-    if (gen_chance(g, 8)) {               /* long and thin */
+    if (gen_chance(g, 8)) { /* long and thin */
         net.nx = gen_chance(g, 2) ? 2 : LONG;
         net.ny = net.nx == 2 ? LONG : 2;
         gen_label(g, "long and thin");
@@ -67,7 +67,7 @@ static et_doublenet small_net(gen *g)
 static et_doublenet large_net(gen *g)
 {
     const size_t a = gen_between(g, 2, 40), most = SIZE_MAX / 2 / a, b = gen_chance(g, 2) ? most - gen_upto(g, 3) : gen_between(g, 2, most);
-    et_doublenet net = { a, b };
+    et_doublenet net = {a, b};
 
     if (gen_chance(g, 2)) {
         net.nx = b;
@@ -94,15 +94,15 @@ static bool too_big(size_t a, size_t b)
 verdict prop_doublenet_valid(gen *g);
 verdict prop_doublenet_valid(gen *g)
 {
-    static const size_t edge[] = { 0, 1, 2, 3, SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 2 + 1, SIZE_MAX / 4, SIZE_MAX / 4 + 1 };
-    et_doublenet net = { edge[gen_upto(g, 8)], edge[gen_upto(g, 8)] };
+    static const size_t edge[] = {0, 1, 2, 3, SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 2 + 1, SIZE_MAX / 4, SIZE_MAX / 4 + 1};
+    et_doublenet net = {edge[gen_upto(g, 8)], edge[gen_upto(g, 8)]};
     bool ok;
 
-    if (gen_chance(g, 2)) {               /* close to the limit of one side */
+    if (gen_chance(g, 2)) { /* close to the limit of one side */
         net.nx = gen_between(g, 2, gen_chance(g, 2) ? 1000 : SIZE_MAX / 4);
         net.ny = SIZE_MAX / 2 / net.nx + gen_upto(g, 2);
         if (gen_chance(g, 2))
-            net = (et_doublenet){ net.ny, net.nx };
+            net = (et_doublenet){net.ny, net.nx};
     }
     ok = net.nx >= 2 && net.ny >= 2 && net.nx <= SIZE_MAX / 2 && !too_big(2 * net.nx, net.ny);
     return gen_check(g, et_doublenet_valid(net) == (ok ? 1 : 0), "%zu x %zu is %svalid", net.nx, net.ny, ok ? "" : "not ") ? PASS : FAIL;
@@ -143,7 +143,9 @@ verdict prop_doublenet_nor(gen *g)
     if (!gen_check(g, et_doublenet_nor(net) == shared && shared == b.nodes - b.classes, "%zu x %zu shares %zu", net.nx, net.ny, shared))
         return FAIL;
     return gen_check(g, et_doublenet_nov(big) + et_doublenet_nor(big) == et_doublenet_non(big) && et_doublenet_nov(big) <= et_doublenet_non(big),
-                     "%zu x %zu: NOV + NOR = NON", big.nx, big.ny) ? PASS : FAIL;
+                     "%zu x %zu: NOV + NOR = NON", big.nx, big.ny)
+               ? PASS
+               : FAIL;
 }
 
 verdict prop_doublenet_class(gen *g);
@@ -156,8 +158,8 @@ verdict prop_doublenet_class(gen *g)
     for (size_t view = ET_BOTTOM; view <= ET_TOP; view++)
         for (size_t i = 0; i < net.nx; i++)
             for (size_t j = 0; j < net.ny; j++)
-                if (!gen_check(g, et_doublenet_class(net, view, i, j) == b.number[view][i][j], "%zu x %zu: node (%zu,%zu,%zu) is of class %zu", net.nx,
-                               net.ny, view, i, j, b.number[view][i][j]))
+                if (!gen_check(g, et_doublenet_class(net, view, i, j) == b.number[view][i][j], "%zu x %zu: node (%zu,%zu,%zu) is of class %zu",
+                               net.nx, net.ny, view, i, j, b.number[view][i][j]))
                     return FAIL;
     return PASS;
 }
@@ -195,8 +197,8 @@ verdict prop_doublenet_corners(gen *g);
 verdict prop_doublenet_corners(gen *g)
 {
     const et_doublenet net = gen_chance(g, 3) ? large_net(g) : small_net(g);
-    size_t c[6] = { 0, 0, 0, 0, 77, 78 };
-    const size_t at[4][2] = { { 0, 0 }, { 0, net.ny - 1 }, { net.nx - 1, 0 }, { net.nx - 1, net.ny - 1 } };
+    size_t c[6] = {0, 0, 0, 0, 77, 78};
+    const size_t at[4][2] = {{0, 0}, {0, net.ny - 1}, {net.nx - 1, 0}, {net.nx - 1, net.ny - 1}};
 
     et_doublenet_corners(c, net);
     for (size_t k = 0; k < 4; k++)
@@ -237,7 +239,7 @@ verdict prop_doublenet_seam(gen *g)
 
 static et_index any_index(gen *g, size_t most)
 {
-    return (et_index){ gen_upto(g, most), gen_upto(g, most), gen_upto(g, 2) };
+    return (et_index){gen_upto(g, most), gen_upto(g, most), gen_upto(g, 2)};
 }
 
 /* In signed integers, where differences need no care. */
@@ -258,18 +260,18 @@ verdict prop_doublenet_adjacent(gen *g)
     const et_index a = any_index(g, 3), b = any_index(g, 3);
     const int i = (int)a.i - (int)b.i, j = (int)a.j - (int)b.j, k = (int)a.k - (int)b.k;
     const int want = i * i + j * j <= 1 && k * k <= 1;
-    const et_index far = { gen_chance(g, 2) ? SIZE_MAX : 2 + a.i, a.j, a.k }, wide = { a.i, gen_chance(g, 2) ? SIZE_MAX : 2 + a.j, a.k };
+    const et_index far = {gen_chance(g, 2) ? SIZE_MAX : 2 + a.i, a.j, a.k}, wide = {a.i, gen_chance(g, 2) ? SIZE_MAX : 2 + a.j, a.k};
 
-    if (!gen_check(g, et_doublenet_adjacent(a, b) == want && et_doublenet_adjacent(b, a) == want, "(%zu,%zu,%zu), (%zu,%zu,%zu): %d", a.i, a.j, a.k, b.i,
-                   b.j, b.k, want))
+    if (!gen_check(g, et_doublenet_adjacent(a, b) == want && et_doublenet_adjacent(b, a) == want, "(%zu,%zu,%zu), (%zu,%zu,%zu): %d", a.i, a.j, a.k,
+                   b.i, b.j, b.k, want))
         return FAIL;
     return gen_check(g, !et_doublenet_adjacent(a, far) && !et_doublenet_adjacent(wide, a) && et_doublenet_adjacent(a, a), "far and itself") ? PASS
-                                                                                                                                           : FAIL;
+                                                                                                                                            : FAIL;
 }
 
 static et_doublenet row_net(const row *r)
 {
-    return (et_doublenet){ row_size(r, 0), row_size(r, 1) };
+    return (et_doublenet){row_size(r, 0), row_size(r, 1)};
 }
 
 verdict gold_doublenet_valid(const row *r);
@@ -338,7 +340,7 @@ verdict gold_doublenet_seam(const row *r)
 
 static et_index row_index(const row *r, size_t at)
 {
-    return (et_index){ row_size(r, at), row_size(r, at + 1), row_size(r, at + 2) };
+    return (et_index){row_size(r, at), row_size(r, at + 1), row_size(r, at + 2)};
 }
 
 verdict gold_doublenet_dist2(const row *r);

@@ -29,9 +29,9 @@ static size_t apart(size_t a, size_t b)
 static et_som_quality brute(const job *j)
 {
     static double error[POINTS];
-    double block[POINTS / BLOCK + 1] = { 0 };
+    double block[POINTS / BLOCK + 1] = {0};
     size_t blocks = 0;
-    et_som_quality q = { 0, 0, INFINITY, 0, j->n };
+    et_som_quality q = {0, 0, INFINITY, 0, j->n};
 
     for (size_t s = 0; s < j->n; s++) {
         size_t a = 0, b = 1;
@@ -49,7 +49,7 @@ static et_som_quality brute(const job *j)
             } else if (d < db)
                 b = c;
         }
-        if (b > a)                        /* of classes as near as b the lowest but a */
+        if (b > a) /* of classes as near as b the lowest but a */
             for (size_t c = b; c-- > 0;)
                 b = c != a && square(j->cloud[s], j->weights[c]) == square(j->cloud[s], j->weights[b]) ? c : b;
         const et_index v = et_doublenet_index(j->net, a + 1), w = et_doublenet_index(j->net, b + 1);
@@ -75,13 +75,13 @@ static bool any_job(gen *g, job *j)
 {
     et_rng *rng;
 
-    j->net = (et_doublenet){ gen_between(g, 2, SIDE), gen_between(g, 2, SIDE) };
+    j->net = (et_doublenet){gen_between(g, 2, SIDE), gen_between(g, 2, SIDE)};
     if (gen_chance(g, 16))
-        j->net = gen_chance(g, 2) ? (et_doublenet){ 2, 50 } : (et_doublenet){ 50, 2 };
+        j->net = gen_chance(g, 2) ? (et_doublenet){2, 50} : (et_doublenet){50, 2};
     j->n = gen_between(g, 1, FEW);
-    if (gen_chance(g, 20)) {              /* more than one block, on the least net */
+    if (gen_chance(g, 20)) { /* more than one block, on the least net */
         j->n = gen_between(g, BLOCK - 1, POINTS);
-        j->net = (et_doublenet){ 2, 2 };
+        j->net = (et_doublenet){2, 2};
         gen_label(g, "several blocks");
     }
     j->nov = et_doublenet_nov(j->net);
@@ -117,8 +117,9 @@ verdict prop_quality_of(gen *g)
         return FAIL;
     if (!gen_check(g, same(q.te, want.te) && q.steps == want.steps, "%zu x %zu: te %a is %a", j.net.nx, j.net.ny, q.te, want.te))
         return FAIL;
-    return gen_check(g, same(q.qe, want.qe) && same(q.min_error, want.min_error) && same(q.max_error, want.max_error), "qe %a is %a", q.qe, want.qe) ? PASS
-                                                                                                                                                : FAIL;
+    return gen_check(g, same(q.qe, want.qe) && same(q.min_error, want.min_error) && same(q.max_error, want.max_error), "qe %a is %a", q.qe, want.qe)
+               ? PASS
+               : FAIL;
 }
 
 /* Each weight asked for itself: no error at all, and each class is its own winner. */
@@ -138,9 +139,9 @@ verdict prop_quality_of_itself(gen *g)
 verdict prop_quality_of_refuses(gen *g);
 verdict prop_quality_of_refuses(gen *g)
 {
-    static const double bad[] = { NAN, INFINITY, -INFINITY, 0x1.0000000000001p500, -0x1.0000000000001p500 };
+    static const double bad[] = {NAN, INFINITY, -INFINITY, 0x1.0000000000001p500, -0x1.0000000000001p500};
     static job j;
-    et_som_quality q = { 1, 2, 3, 4, 5 };
+    et_som_quality q = {1, 2, 3, 4, 5};
     const uint64_t what = gen_upto(g, 4);
 
     if (!any_job(g, &j))
@@ -168,7 +169,7 @@ verdict gold_quality_of(const row *r)
     et_som_quality q;
     bool ok;
 
-    j.net = (et_doublenet){ row_size(r, 0), row_size(r, 1) };
+    j.net = (et_doublenet){row_size(r, 0), row_size(r, 1)};
     j.nov = et_doublenet_nov(j.net);
     j.n = (r->nargs - 2) / 3 - j.nov;
     for (size_t k = 0; k < 3 * j.nov; k++)

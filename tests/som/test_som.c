@@ -42,7 +42,7 @@ static size_t apart(size_t a, size_t b)
 /* sum_b sum_{s in b} error_s, blocks of 4096. */
 static double mean(const double *error, size_t n)
 {
-    double block[STEPS / BLOCK + 1] = { 0 };
+    double block[STEPS / BLOCK + 1] = {0};
     size_t blocks = 0;
 
     for (size_t s = 0; s < n; s += BLOCK)
@@ -79,7 +79,7 @@ static void update(job *j, et_vec3 p, size_t first, size_t t)
 static et_som_quality reference(job *j, size_t steps, et_rng *rng)
 {
     static double error[STEPS];
-    et_som_quality q = { 0, 0, INFINITY, 0, steps };
+    et_som_quality q = {0, 0, INFINITY, 0, steps};
 
     for (size_t t = 1; t <= steps; t++) {
         const et_vec3 p = j->cloud[et_rng_index(rng, j->n)];
@@ -99,16 +99,16 @@ static et_som_quality reference(job *j, size_t steps, et_rng *rng)
 
 static void any_net(gen *g, job *j)
 {
-    j->net = (et_doublenet){ gen_between(g, 2, SIDE), gen_between(g, 2, SIDE) };
+    j->net = (et_doublenet){gen_between(g, 2, SIDE), gen_between(g, 2, SIDE)};
     if (gen_chance(g, 16))
-        j->net = gen_chance(g, 2) ? (et_doublenet){ 2, 50 } : (et_doublenet){ 50, 2 };
+        j->net = gen_chance(g, 2) ? (et_doublenet){2, 50} : (et_doublenet){50, 2};
     j->nov = et_doublenet_nov(j->net);
 }
 
 /* From all weights equal, by few values (many ties), to uniform ones at any scale the cloud has. */
 static void any_weights(gen *g, job *j, et_rng *rng)
 {
-    static const double scale[] = { 1, 0x1p-100, 0x1p100, 0x1p-520, 0x1p499 };
+    static const double scale[] = {1, 0x1p-100, 0x1p100, 0x1p-520, 0x1p499};
     const uint64_t kind = gen_upto(g, 3);
     const double s = scale[gen_chance(g, 4) ? gen_upto(g, 4) : 0];
 
@@ -127,7 +127,7 @@ static void any_weights(gen *g, job *j, et_rng *rng)
 
 static void any_options(gen *g, job *j, size_t most)
 {
-    static const double sigma0[] = { 0, 0.5, 1, 1.5, 2, 3, 1e300, 0x1.0000000000001p0 };
+    static const double sigma0[] = {0, 0.5, 1, 1.5, 2, 3, 1e300, 0x1.0000000000001p0};
     const uint64_t pick = gen_upto(g, 11);
 
     j->options = et_som_defaults();
@@ -168,8 +168,8 @@ static bool same_quality(gen *g, et_som_quality a, et_som_quality b)
 static bool same_weights(gen *g, const job *a, const job *b)
 {
     for (size_t c = 0; c < a->nov; c++)
-        if (!gen_check(g, memcmp(&a->weights[c], &b->weights[c], sizeof a->weights[c]) == 0, "class %zu of %zu x %zu: x %a is %a", c + 1, a->net.nx, a->net.ny,
-                       a->weights[c].x, b->weights[c].x))
+        if (!gen_check(g, memcmp(&a->weights[c], &b->weights[c], sizeof a->weights[c]) == 0, "class %zu of %zu x %zu: x %a is %a", c + 1, a->net.nx,
+                       a->net.ny, a->weights[c].x, b->weights[c].x))
             return false;
     for (size_t c = a->nov; c < CLASSES; c++)
         if (!gen_check(g, a->weights[c].x == 0, "nothing is written beyond the classes"))
@@ -260,14 +260,18 @@ verdict prop_som_train_long(gen *g)
 
     if (!any_job(g, &j, 1))
         return FAIL;
-    j.net = (et_doublenet){ 2, gen_between(g, 2, 3) };
+    j.net = (et_doublenet){2, gen_between(g, 2, 3)};
     j.nov = et_doublenet_nov(j.net);
     memset(j.weights + j.nov, 0, (CLASSES - j.nov) * sizeof j.weights[0]);
     j.options.iterations = gen_chance(g, 8) ? gen_between(g, BLOCK - 1, 2 * BLOCK + 1) : gen_between(g, 100, 900);
     return agree(g, &j, NULL, ET_OK, j.options.iterations) ? PASS : FAIL;
 }
 
-typedef struct { size_t calls, stop, total; et_status status; bool ok; } watch;
+typedef struct {
+    size_t calls, stop, total;
+    et_status status;
+    bool ok;
+} watch;
 
 static et_status look(void *context, size_t done, size_t total)
 {
@@ -282,15 +286,15 @@ static et_status look(void *context, size_t done, size_t total)
 verdict prop_som_train_stop(gen *g);
 verdict prop_som_train_stop(gen *g)
 {
-    static const et_status stop[] = { ET_ESTOPPED, ET_ENOCONV };
+    static const et_status stop[] = {ET_ESTOPPED, ET_ENOCONV};
     static job j;
-    watch w = { 0, 0, 0, ET_OK, true };
-    const et_task task = { look, &w };
+    watch w = {0, 0, 0, ET_OK, true};
+    const et_task task = {look, &w};
     size_t reports, steps;
 
     if (!any_job(g, &j, 1))
         return FAIL;
-    j.net = (et_doublenet){ 2, 2 };
+    j.net = (et_doublenet){2, 2};
     j.nov = 4;
     memset(j.weights + j.nov, 0, (CLASSES - j.nov) * sizeof j.weights[0]);
     j.options.iterations = gen_chance(g, 2) ? 2000 : gen_between(g, 999, 2101);
@@ -301,7 +305,8 @@ verdict prop_som_train_stop(gen *g)
     steps = w.stop >= 1 && w.stop <= reports ? 1000 * w.stop : j.options.iterations;
     if (!agree(g, &j, &task, w.stop >= 1 && w.stop <= reports ? w.status : ET_OK, steps))
         return FAIL;
-    return gen_check(g, w.ok && w.calls == (w.stop >= 1 && w.stop <= reports ? w.stop : reports), "%zu reports of %zu", w.calls, reports) ? PASS : FAIL;
+    return gen_check(g, w.ok && w.calls == (w.stop >= 1 && w.stop <= reports ? w.stop : reports), "%zu reports of %zu", w.calls, reports) ? PASS
+                                                                                                                                          : FAIL;
 }
 
 /* A power of two on everything scales everything exactly, and no weight leaves the box of what it began as and what it saw: w + f(p - w) is
@@ -336,14 +341,15 @@ verdict prop_som_train_scale(gen *g)
     for (size_t k = 0; ok && k < 3 * a.nov; k++) {
         const double x = (&a.weights[0].x)[k], slack = 3 * (double)a.options.iterations * ET_UNIT;
 
-        ok = gen_check(g, (&b.weights[0].x)[k] == s * x, "weight %zu scales", k) && gen_check(g, -slack <= x && x <= 1 + slack, "weight %zu: %a", k, x);
+        ok = gen_check(g, (&b.weights[0].x)[k] == s * x, "weight %zu scales", k) &&
+             gen_check(g, -slack <= x && x <= 1 + slack, "weight %zu: %a", k, x);
     }
     return ok && gen_check(g, qb.qe == s * qa.qe && qb.te == qa.te && qb.max_error == s * qa.max_error, "quality scales") ? PASS : FAIL;
 }
 
 static void spoil(gen *g, job *j)
 {
-    static const double bad[] = { -1, NAN, INFINITY, -INFINITY, 1.5, 0, 0x1.0000000000001p0, 0x1.0000000000001p500 };
+    static const double bad[] = {-1, NAN, INFINITY, -INFINITY, 1.5, 0, 0x1.0000000000001p0, 0x1.0000000000001p500};
     const uint64_t what = gen_upto(g, 8);
     const double odd = bad[1 + gen_upto(g, 2)];
 
@@ -364,7 +370,7 @@ static void spoil(gen *g, job *j)
     else if (what == 7)
         (&j->cloud[0].x)[gen_upto(g, 3 * j->n - 1)] = gen_chance(g, 2) ? -bad[7] : odd;
     else
-        j->net = (et_doublenet){ SIZE_MAX, SIZE_MAX };
+        j->net = (et_doublenet){SIZE_MAX, SIZE_MAX};
 }
 
 /* What it refuses it leaves alone: weights, quality and generator. */
@@ -372,7 +378,7 @@ verdict prop_som_train_refuses(gen *g);
 verdict prop_som_train_refuses(gen *g)
 {
     static job j, before;
-    et_som_quality q = { 1, 2, 3, 4, 5 };
+    et_som_quality q = {1, 2, 3, 4, 5};
     et_rng *rng;
     bool ok;
 
@@ -391,16 +397,16 @@ verdict prop_som_train_refuses(gen *g)
 verdict prop_som_train_limits(gen *g);
 verdict prop_som_train_limits(gen *g)
 {
-    et_vec3 w[4] = { { 0x1p500, 0, 0 }, { -0x1p500, 0, 0 }, { 0, 0x1p500, 0x1p500 }, { 0, 0, -0x1p500 } };
-    const et_vec3 cloud[2] = { { -0x1p500, 0x1p500, -0x1p500 }, { 0x1p500, 0x1p500, 0x1p500 } };
-    et_som_options o = { gen_between(g, 1, 50), 1, 3 };
-    et_som_quality q = { 1, 2, 3, 4, 5 };
+    et_vec3 w[4] = {{0x1p500, 0, 0}, {-0x1p500, 0, 0}, {0, 0x1p500, 0x1p500}, {0, 0, -0x1p500}};
+    const et_vec3 cloud[2] = {{-0x1p500, 0x1p500, -0x1p500}, {0x1p500, 0x1p500, 0x1p500}};
+    et_som_options o = {gen_between(g, 1, 50), 1, 3};
+    et_som_quality q = {1, 2, 3, 4, 5};
     et_rng *rng;
     bool ok;
 
     if (et_rng_new(&rng, gen_upto(g, 1000)))
         return FAIL;
-    ok = et_som_train(w, 4, &q, (et_doublenet){ 2, 2 }, cloud, 2, &o, rng, NULL) == ET_OK && isfinite(q.qe) && isfinite(q.max_error);
+    ok = et_som_train(w, 4, &q, (et_doublenet){2, 2}, cloud, 2, &o, rng, NULL) == ET_OK && isfinite(q.qe) && isfinite(q.max_error);
     ok = gen_check(g, ok, "2^500 is not too much");
     for (size_t k = 0; k < 12; k++)
         ok = ok && gen_check(g, fabs((&w[0].x)[k]) <= 0x1p500, "weight %zu stays in the box", k);
@@ -452,9 +458,9 @@ verdict gold_som_train(const row *r)
     et_rng *rng;
     bool ok;
 
-    j.net = (et_doublenet){ row_size(r, 0), row_size(r, 1) };
+    j.net = (et_doublenet){row_size(r, 0), row_size(r, 1)};
     j.nov = et_doublenet_nov(j.net);
-    j.options = (et_som_options){ row_size(r, 2), row_real(r, 3), row_real(r, 4) };
+    j.options = (et_som_options){row_size(r, 2), row_real(r, 3), row_real(r, 4)};
     j.n = (r->nargs - 6) / 3;
     for (size_t k = 0; k < 3 * j.n; k++)
         (&j.cloud[0].x)[k] = row_real(r, 6 + k);
