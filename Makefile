@@ -111,6 +111,8 @@ audit: $(B)/libetalon.a
 	@sh tests/audit.sh $(B)/libetalon.a
 floors:
 	@sh tests/floors.sh '$(CC)'
+docs: $(B)/libetalon.a
+	@sh tests/docs.sh $(B)/libetalon.a $(BUILD) '$(CC) $(OMP) -ffp-contract=off' '-Wl,--as-needed $(LIBS)'
 bits:
 	@sh tests/bits.sh $(BUILD)
 fuzz:
@@ -121,7 +123,7 @@ cover:
 	@gcovr -r . -f src/ --object-directory $(BUILD)/cover --html-details $(BUILD)/cover/coverage.html --print-summary
 
 check: deps-test
-	@$(SUM) '$(MAKE) -s all' '$(MAKE) -s test' '$(MAKE) -s harness' '$(MAKE) -s bites' '$(MAKE) -s floors' '$(MAKE) -s audit' \
+	@$(SUM) '$(MAKE) -s all' '$(MAKE) -s test' '$(MAKE) -s harness' '$(MAKE) -s bites' '$(MAKE) -s floors' '$(MAKE) -s audit' '$(MAKE) -s docs' \
 	  '$(MAKE) -s P=clang all' '$(MAKE) -s asan' '$(MAKE) -s bits' '$(MAKE) -s end-to-end'
 end-to-end: all
 	@$(SUM) $(foreach s,$(sort $(wildcard tests/cli/*.sh)),'sh $(s) $(B)/etalon')
@@ -166,4 +168,4 @@ uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/share/man/man1/etalon.1
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test harness bites asan valgrind audit floors bits fuzz cover check end-to-end bench programs peers deps deps-test demo install uninstall clean
+.PHONY: all test harness bites asan valgrind audit floors docs bits fuzz cover check end-to-end bench programs peers deps deps-test demo install uninstall clean
