@@ -122,9 +122,12 @@ cover:
 	@$(MAKE) P=cover test
 	@gcovr -r . -f src/ --object-directory $(BUILD)/cover --html-details $(BUILD)/cover/coverage.html --print-summary
 
+J := -j$(shell nproc 2> /dev/null || echo 1)
+built: all $(B)/check
 check: deps-test
-	@$(SUM) '$(MAKE) -s all' '$(MAKE) -s test' '$(MAKE) -s harness' '$(MAKE) -s bites' '$(MAKE) -s floors' '$(MAKE) -s audit' '$(MAKE) -s docs' \
-	  '$(MAKE) -s P=clang all' '$(MAKE) -s asan' '$(MAKE) -s bits' '$(MAKE) -s end-to-end'
+	@$(SUM) '$(MAKE) -s $(J) built' '$(MAKE) -s $(J) P=clang built' '$(MAKE) -s $(J) P=asan built' \
+	  '$(MAKE) -s test' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s audit' '$(MAKE) -s docs' \
+	  'ET_RUNS=200 $(MAKE) -s P=clang test' '$(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s bits'
 end-to-end: all
 	@$(SUM) $(foreach s,$(sort $(wildcard tests/cli/*.sh)),'sh $(s) $(B)/etalon')
 
@@ -168,4 +171,4 @@ uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/share/man/man1/etalon.1
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test harness bites asan valgrind audit floors docs bits fuzz cover check end-to-end bench programs peers deps deps-test demo install uninstall clean
+.PHONY: all test harness bites asan valgrind audit floors docs bits fuzz cover built check end-to-end bench programs peers deps deps-test demo install uninstall clean

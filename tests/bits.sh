@@ -5,7 +5,7 @@ set -u
 build=$1
 passed=0 failed=0
 for p in debug clang release native; do
-    make -s P=$p BUILD="$build" "$build/$p/etalon" > /dev/null || { echo "FAIL bits: the build $p"; echo "0 passed, 1 failed"; exit 1; }
+    make -s -j"$(nproc 2> /dev/null || echo 1)" P=$p BUILD="$build" "$build/$p/etalon" > /dev/null || { echo "FAIL bits: the build $p"; echo "0 passed, 1 failed"; exit 1; }
 done
 root=$(cd "$build" && pwd)
 work=$(mktemp -d) || exit 2
