@@ -1,0 +1,161 @@
+#!/usr/bin/env python3
+"""golden/linalg.tsv: least squares of integer matrices by rational arithmetic, R by Gram and Schmidt to 60 decimals."""
+from decimal import Decimal, getcontext
+from fractions import Fraction as F
+
+getcontext().prec = 60
+U = F(1, 2**53)
+
+
+def hexf(x):
+    return float(x).hex()
+
+
+def mul(A, B):
+    return [[sum(a * b for a, b in zip(row, col)) for col in zip(*B)] for row in A]
+
+
+def transpose(A):
+    return [list(c) for c in zip(*A)]
+
+
+def solve(A, B):
+    n = len(A)
+    M = [list(map(F, a)) + list(map(F, b)) for a, b in zip(A, B)]
+    for c in range(n):
+        k = next(i for i in range(c, n) if M[i][c] != 0)
+        M[c], M[k] = M[k], M[c]
+        M[c] = [x / M[c][c] for x in M[c]]
+        for i in range(n):
+            if i != c:
+                M[i] = [x - M[i][c] * y for x, y in zip(M[i], M[c])]
+    return [r[n:] for r in M]
+
+
+def echelon(A):
+    M, pivots = [list(map(F, r)) for r in A], []
+    for c in range(len(A[0])):
+        k = next((i for i in range(len(pivots), len(M)) if M[i][c] != 0), None)
+        if k is None:
+            continue
+        r = len(pivots)
+        M[r], M[k] = M[k], M[r]
+        M[r] = [x / M[r][c] for x in M[r]]
+        for i in range(len(M)):
+            if i != r:
+                M[i] = [x - M[i][c] * y for x, y in zip(M[i], M[r])]
+        pivots.append(c)
+    return M[:len(pivots)], pivots
+
+
+def norm(A):
+    s = sum(F(x) ** 2 for r in A for x in r)
+    return F((Decimal(s.numerator) / Decimal(s.denominator)).sqrt())
+
+
+def least_norm(A, B):
+    """A = C E with E the echelon rows and C the pivot columns: A+ = E'(EE')^-1 (C'C)^-1 C'."""
+    E, pivots = echelon(A)
+    C = [[r[c] for c in pivots] for r in A]
+    Y = solve(mul(transpose(C), C), mul(transpose(C), B))
+    X = mul(transpose(E), solve(mul(E, transpose(E)), Y))
+    pinv = mul(transpose(E), solve(mul(E, transpose(E)), solve(mul(transpose(C), C), transpose(C))))
+    return len(pivots), X, norm(pinv)
+
+
+def bound(A, B, inverse, method):
+    """c u k (1 + k) (|x| + ..): the forward error of a backward stable solution; normal equations once more by k."""
+    k = norm(A) * inverse
+    c = 64 * (len(A) + 4) * (len(A[0]) + 4)
+    return c * U * (1 + k) ** 2 * ((1 + k) if method == 1 else 1) * inverse * (norm(B) + 1)
+
+
+def power(x):
+    e = 0
+    while F(2) ** e > x:
+        e -= 1
+    while F(2) ** e < x:
+        e += 1
+    return "abs " + hexf(F(2) ** e)
+
+
+def flat(A):
+    return [hexf(x) for r in A for x in r]
+
+
+def lsq(reason, A, B):
+    m, n, k = len(A), len(A[0]), len(B[0])
+    rank, X, inverse = least_norm(A, B)
+    for method in range(3):
+        args = " ".join([str(method), str(m), str(n), str(k)] + flat(A) + flat(B))
+        if rank < n and method < 2:
+            print("linalg_lsq", "exact", reason, args, rank, sep="\t")
+        else:
+            print("linalg_lsq", power(bound(A, B, inverse, method)), reason, args, " ".join([str(rank)] + flat(X)), sep="\t")
+
+
+def band(reason, start, rows, n, B):
+    w, m, k = len(rows[0]), len(rows), len(B[0])
+    A = [[0] * s + r + [0] * (n - w - s) for s, r in zip(start, rows)]
+    rank, X, inverse = least_norm(A, B)
+    for method in range(3):
+        args = " ".join([str(method), str(m), str(n), str(w), str(k)] + [str(s) for s in start] + flat(rows) + flat(B))
+        if rank < n and method < 2:
+            print("linalg_band_lsq", "exact", reason, args, rank, sep="\t")
+        else:
+            print("linalg_band_lsq", power(bound(A, B, inverse, method)), reason, args, " ".join([str(rank)] + flat(X)), sep="\t")
+
+
+def qr(reason, A, B):
+    m, n, k = len(A), len(A[0]), len(B[0])
+    V = [[Decimal(x) for x in c] for c in transpose(A)]
+    R = [[Decimal(0)] * n for _ in range(n)]
+    for j in range(n):
+        for i in range(j):
+            R[i][j] = sum(a * b for a, b in zip(V[i], V[j]))
+            V[j] = [b - R[i][j] * a for a, b in zip(V[i], V[j])]
+        R[j][j] = sum(x * x for x in V[j]).sqrt()
+        V[j] = [x / R[j][j] for x in V[j]]
+    C = [[sum(a * Decimal(b) for a, b in zip(v, c)) for c in transpose(B)] for v in V]
+    inverse = least_norm(A, [[0]] * m)[2]
+    t = 64 * (m + 4) * (n + 4) * U * (1 + norm(A) * inverse) * (norm(A) + norm(B))
+    args = " ".join([str(m), str(n), str(k)] + flat(A) + flat(B))
+    print("linalg_qr", power(t), reason, args, " ".join(flat(R) + flat(C)), sep="\t")
+
+
+def main():
+    print("# function\tclass\treason\tmethod m n k A B; or m n k A B; or method m n w k start a B\trank X (the rank alone where deficient); or R C")
+    print("# made by tests/golden/linalg.py")
+    for k, name in enumerate(["qr", "cholesky", "svd", "null"]):
+        print("linalg_name", "exact", "order", k, name, sep="\t")
+    line = [[1, x] for x in range(5)]
+    lsq("mean", [[1]] * 4, [[1], [2], [4], [9]])
+    lsq("straight_line", line, [[1, 0], [3, 1], [4, 0], [4, 2], [7, 5]])
+    lsq("parabola", [[1, x, x * x] for x in range(-2, 4)], [[3], [0], [0], [1], [5], [8]])
+    lsq("square", [[2, 1], [1, 3]], [[1], [2]])
+    lsq("permuted", [[0, 0, 2], [0, 3, 0], [5, 0, 0], [0, 0, 0]], [[2], [6], [10], [7]])
+    lsq("hilbert_like", [[60, 30, 20], [30, 20, 15], [20, 15, 12], [15, 12, 10]], [[1], [1], [1], [1]])
+    lsq("equal_columns", [[1, 1], [2, 2], [3, 3]], [[1], [1], [2]])
+    lsq("sum_of_columns", [[1, 2, 3], [0, 1, 1], [2, 1, 3], [1, 1, 2]], [[1], [2], [3], [4]])
+    lsq("zero_column", [[1, 0], [2, 0], [3, 0]], [[1], [0], [1]])
+    lsq("zero_first_column", [[0, 1], [0, 2], [0, 3]], [[1], [0], [1]])
+    lsq("wide", [[1, 2, 3], [0, 1, 1]], [[1], [2]])
+    lsq("one_by_one", [[-4]], [[6]])
+    lsq("rank_one", [[1, 2, -1], [2, 4, -2], [0, 0, 0]], [[1], [1], [5]])
+    band("bidiagonal", [0, 0, 1, 1, 2, 2], [[1, 0], [1, 1], [2, 1], [1, 2], [1, 1], [0, 1]], 4, [[1], [2], [3], [4], [5], [6]])
+    band("hats", [0, 0, 0, 0, 1, 1, 1, 1, 1], [[4, 0], [3, 1], [2, 2], [1, 3], [4, 0], [3, 1], [2, 2], [1, 3], [0, 4]], 3,
+         [[x * x % 7, x] for x in range(9)])
+    band("quadratic", [0, 0, 0, 0, 0, 1, 1, 1, 1, 2], [[2, 0, 0], [1, 1, 0], [1, 4, 1], [1, 3, 2], [0, 1, 1], [2, 3, 1], [1, 4, 1], [1, 2, 1], [0, 1, 1],
+                                                   [0, 0, 2]], 5, [[x % 4] for x in range(10)])
+    band("full_width", [0, 0, 0], [[1, 2], [3, 4], [5, 6]], 2, [[1], [0], [2]])
+    band("width_one", [0, 0, 1, 2], [[1], [2], [3], [4]], 3, [[5], [5], [6], [8]])
+    band("column_without_entry", [0, 0, 2, 2], [[1], [2], [3], [4]], 3, [[5], [5], [6], [8]])
+    band("too_few_rows_at_the_end", [0, 0, 0, 0, 2], [[1, 2], [2, 1], [1, 1], [0, 1], [1, 1]], 4, [[1], [1], [2], [3], [5]])
+    band("fewer_rows", [0, 1], [[1, 1], [1, 1]], 3, [[1], [2]])
+    qr("identity", [[1, 0], [0, 1], [0, 0]], [[1], [2], [3]])
+    qr("pythagorean", [[3, 1], [4, 2]], [[1], [0]])
+    qr("line", line, [[1], [3], [4], [4], [7]])
+    qr("negative", [[-2, 1, 0], [1, -3, 1], [0, 1, -4], [2, 2, 2]], [[1, 0], [0, 1], [2, 2], [-1, 3]])
+
+
+main()
