@@ -19,6 +19,15 @@ static void limit(double *v, double vmax, size_t n)
     }
 }
 
+/* y = x + v in the box */
+static void move(double *y, double *v, const double *x, const et_search *s)
+{
+    for (size_t k = 0; k < s->n; k++) y[k] = x[k] + v[k];
+    et_search_clamp(y, s);
+    if (!s->options.absorb) return;
+    for (size_t k = 0; k < s->n; k++) v[k] = y[k] == x[k] + v[k] ? v[k] : 0.0;
+}
+
 static void settle(et_search *s, size_t i, const double *y, double value)
 {
     const size_t n = s->n;
@@ -35,15 +44,15 @@ et_status et_pso_step(et_search *search, et_rng *rng)
     const et_search_options *o = &search->options;
     const coefficients c = { o->K, o->c1, o->c2 };
     const size_t n = search->n;
-    double *all = search->trial, *y = all + n, *r = y + n;
-    memcpy(all, search->best, n * sizeof *all);       /* the whole swarm moves by the best of the generation before */
+    double *before = search->trial, *y = before + n, *r = y + n;
+    const double *all = o->immediate ? search->best : before;
+    memcpy(before, search->best, n * sizeof *before);
     for (size_t i = 0; i < o->population; i++) {
         double *x = search->x + i * n, *v = search->velocity + i * n, value = 0.0;
         et_rng_fill(r, 2 * n, rng);
         accelerate(v, x, search->memory + i * n, all, r, c, n);
         limit(v, o->vmax, n);
-        for (size_t k = 0; k < n; k++) y[k] = x[k] + v[k];
-        et_search_clamp(y, search);
+        move(y, v, x, search);
         const et_status status = et_search_eval(&value, search, y);
         if (status != ET_OK) return status;
         settle(search, i, y, value);

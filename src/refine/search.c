@@ -9,7 +9,7 @@ et_search_options et_search_defaults(void)
     et_search_options o = { .population = 40, .spread = 5e-6, .box = 5e-6, .group = 1,
                             .tournament = 4, .crossover = 0.7, .swap = 0.5, .mutation = 0.01,
                             .F = 0.3, .CR = 0.8, .by_coordinate = 0,
-                            .K = 0.729, .c1 = 2.05, .c2 = 2.05, .vmax = 5e-6 };
+                            .K = 0.729, .c1 = 2.05, .c2 = 2.05, .vmax = 5e-6, .immediate = 0, .absorb = 0 };
     return o;
 }
 

@@ -77,7 +77,8 @@ class Case:
         args = [str(k) for k in (self.p, self.q, self.nu, self.nv, self.nx, self.ny)] + [real(t) for t in self.u + self.v + self.s + self.r] + wide
         if exact:
             assert all(Q(float(v)) == v for v in values)
-        print('\t'.join(('objective_eval', 'exact' if exact else 'abs ' + bound.hex(), reason, ' '.join(args), ' '.join(float(v).hex() for v in values))))
+        kind = 'exact' if exact else 'abs ' + bound.hex()
+        print('\t'.join(('objective_eval', kind, reason, ' '.join(args), ' '.join(float(v).hex() for v in values))))
 
 
 def real(x):

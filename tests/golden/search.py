@@ -43,7 +43,7 @@ class Rng:
 
 
 DEFAULTS = dict(seed=1, population=4, n=2, group=1, generations=1, spread=0.5, box=0.5, tournament=4, crossover=0.7, swap=0.5, mutation=0.01,
-                F=0.3, CR=0.8, by_coordinate=0, K=0.729, c1=2.05, c2=2.05, vmax=0.25, x0=None)
+                F=0.3, CR=0.8, by_coordinate=0, K=0.729, c1=2.05, c2=2.05, vmax=0.25, immediate=0, absorb=0, x0=None)
 
 
 class Search:
@@ -83,14 +83,14 @@ class Search:
         sizes = [str(o[k]) for k in ('seed', 'population', 'n', 'group', 'generations')]
         args = sizes + [float(o[k]).hex() for k in ('spread', 'box')] + [str(o['tournament'])]
         args += [float(o[k]).hex() for k in ('crossover', 'swap', 'mutation', 'F', 'CR')] + [str(o['by_coordinate'])]
-        args += [float(o[k]).hex() for k in ('K', 'c1', 'c2', 'vmax')] + [float(v).hex() for v in self.x0]
+        args += [float(o[k]).hex() for k in ('K', 'c1', 'c2', 'vmax')] + [str(o['immediate']), str(o['absorb'])] + [float(v).hex() for v in self.x0]
         want = [str(self.rng.draws), str(self.evaluations)] + [float(v).hex() for v in [self.best_value] + self.best + self.value]
         print('\t'.join((function, 'bits', reason, ' '.join(args), ' '.join(want))))
 
 
 def head(script):
-    print('# function\tclass\treason\tseed population n group generations spread box tournament crossover swap mutation F CR by_coordinate K c1 c2 vmax x0'
-          '\tdraws evaluations best_value best values')
+    print('# function\tclass\treason\tseed population n group generations spread box tournament crossover swap mutation F CR by_coordinate K c1 c2 '
+          'vmax immediate absorb x0\tdraws evaluations best_value best values')
     print('# made by tests/golden/' + script)
 
 

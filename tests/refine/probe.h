@@ -78,7 +78,8 @@ static inline double gen_probability(gen *g)
 
 static inline problem gen_problem(gen *g)
 {
-    static const double radius[] = { 0.5, 5e-6, 0.0, 1.0, 0x1p-60, 3.0 }, box[] = { 0.5, 0.0, 5e-6, -1.0, 0x1p-60, 2.0 }, vmax[] = { 0.25, 0.0, 5e-6, -1.0 };
+    static const double radius[] = { 0.5, 5e-6, 0.0, 1.0, 0x1p-60, 3.0 };
+    static const double box[] = { 0.5, 0.0, 5e-6, -1.0, 0x1p-60, 2.0 }, vmax[] = { 0.25, 0.0, 5e-6, -1.0 };
     problem q;
     et_search_options *o = &q.options;
     *o = et_search_defaults();
@@ -98,6 +99,8 @@ static inline problem gen_problem(gen *g)
     o->c1 = gen_real(g, 0.0, 2.5);
     o->c2 = gen_real(g, 0.0, 2.5);
     o->vmax = vmax[gen_upto(g, 3)];
+    o->immediate = (int)gen_upto(g, 1);
+    o->absorb = (int)gen_upto(g, 1);
     for (size_t k = 0; k < q.n; k++) q.x0[k] = gen_real(g, 0.0, 1.0) - gen_real(g, 0.0, 1.0);
     q.kind = (probe_kind)gen_upto(g, 3);
     q.seed = gen_upto(g, 0xffff);

@@ -1,13 +1,13 @@
 /* replay: a row of golden/ga.tsv, de.tsv or pso.tsv run again.
  *
- * Arguments: seed, population, n, group, generations; spread, box; tournament, crossover, swap, mutation; F, CR, by_coordinate; K, c1, c2, vmax;
- * x0[n].  Objective: sum of (x_k - k/8)^2, added from k = 0 on.  Wanted: draws made, evaluations, best value, best[n], every individual's value. */
+ * Arguments: seed, population, n, group, generations; spread, box; tournament, crossover, swap, mutation; F, CR, by_coordinate; K, c1, c2, vmax,
+ * immediate, absorb; x0[n].  Objective: sum of (x_k - k/8)^2, added from k = 0 on.  Wanted: draws made, evaluations, best value, best[n], every individual's value. */
 #ifndef TESTS_REFINE_REPLAY_H
 #define TESTS_REFINE_REPLAY_H
 #include "etalon/refine/search.h"
 #include "golden.h"
 
-enum { REPLAY_HEAD = 18 };
+enum { REPLAY_HEAD = 20 };
 
 static inline et_status replay_call(double *value, const double *x, size_t n, void *context)
 {
@@ -26,7 +26,8 @@ static inline et_search_options replay_options(const row *r)
     et_search_options o = { .population = row_size(r, 1), .group = row_size(r, 3), .spread = row_real(r, 5), .box = row_real(r, 6),
                             .tournament = row_size(r, 7), .crossover = row_real(r, 8), .swap = row_real(r, 9), .mutation = row_real(r, 10),
                             .F = row_real(r, 11), .CR = row_real(r, 12), .by_coordinate = (int)row_size(r, 13),
-                            .K = row_real(r, 14), .c1 = row_real(r, 15), .c2 = row_real(r, 16), .vmax = row_real(r, 17) };
+                            .K = row_real(r, 14), .c1 = row_real(r, 15), .c2 = row_real(r, 16), .vmax = row_real(r, 17),
+                            .immediate = (int)row_size(r, 18), .absorb = (int)row_size(r, 19) };
     return o;
 }
 

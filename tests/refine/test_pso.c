@@ -17,7 +17,9 @@ static void fly(et_search *s, size_t i, const double *swarm, et_rng *rng)
         const double own = s->memory[i * n + k] - *x, all = swarm[k] - *x;
         *v = ((o->c1 * r[0][k]) * own + *v + (o->c2 * r[1][k]) * all) * o->K;
         if (o->vmax > 0.0) *v = fmin(o->vmax, fmax(-o->vmax, *v));
-        *x = into_box(*x + *v, s->x0[k], o->box);
+        const double free = *x + *v;
+        *x = into_box(free, s->x0[k], o->box);
+        if (o->absorb && *x != free) *v = 0.0;
     }
 }
 
@@ -28,6 +30,7 @@ static void reference(et_search *s, et_rng *rng)
     double swarm[PROBE_COORDINATES];
     memcpy(swarm, s->best, n * sizeof *swarm);
     for (size_t i = 0; i < m; i++) {
+        if (s->options.immediate) memcpy(swarm, s->best, n * sizeof *swarm);
         fly(s, i, swarm, rng);
         const double *x = s->x + i * n, f = probe_value(kind, x, n);
         s->evaluations++;

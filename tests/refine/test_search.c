@@ -17,7 +17,7 @@ verdict prop_search_defaults(gen *g)
     bool ok = gen_check(g, o.population == 40 && o.spread == 5e-6 && o.box == 5e-6 && o.group == 1, "common settings");
     ok = ok && gen_check(g, o.tournament == 4 && o.crossover == 0.7 && o.swap == 0.5 && o.mutation == 0.01, "ga");
     ok = ok && gen_check(g, o.F == 0.3 && o.CR == 0.8 && o.by_coordinate == 0, "de");
-    ok = ok && gen_check(g, o.K == 0.729 && o.c1 == 2.05 && o.c2 == 2.05 && o.vmax == 5e-6, "pso");
+    ok = ok && gen_check(g, o.K == 0.729 && o.c1 == 2.05 && o.c2 == 2.05 && o.vmax == 5e-6 && o.immediate == 0 && o.absorb == 0, "pso");
     return ok ? PASS : FAIL;
 }
 
@@ -260,7 +260,8 @@ verdict prop_search_run(gen *g)
     double history[8];
     size_t made = 99;
     bool ok = trial_start(&a, &q, which == 2), started = trial_start(&b, &q, which == 2);
-    ok = ok && started && gen_check(g, et_search_run(&a.search, &made, history, generations, step, a.rng, gen_upto(g, 1) ? &task : NULL) == ET_OK, "status");
+    const et_task *told = gen_upto(g, 1) ? &task : NULL;
+    ok = ok && started && gen_check(g, et_search_run(&a.search, &made, history, generations, step, a.rng, told) == ET_OK, "status");
     ok = ok && gen_check(g, made == generations && a.search.generation == generations, "generations made");
     ok = ok && gen_check(g, ear.right && (ear.told == 0 || ear.told == generations), "what the task was told");
     for (size_t k = 1; k < generations && ok; k++) ok = gen_check(g, history[k] <= history[k - 1], "history rises");
@@ -345,7 +346,8 @@ static bool small_fit(gen *g, et_fit *fit, et_vec3 *data, et_doublenet net)
     o.control = (et_doublenet){ gen_between(g, 4, net.nx), gen_between(g, 4, net.ny) };
     for (size_t c = 1; c <= nov; c++) {   /* a lens: bottom below, top above, the border at height 0 */
         const et_index v = et_doublenet_index(net, c);
-        const double x = (double)v.i / (double)(net.nx - 1), y = (double)v.j / (double)(net.ny - 1), h = ((double)v.k - 1.0) * x * (1 - x) * y * (1 - y);
+        const double x = (double)v.i / (double)(net.nx - 1), y = (double)v.j / (double)(net.ny - 1),
+                     h = ((double)v.k - 1.0) * x * (1 - x) * y * (1 - y);
         data[c - 1] = (et_vec3){ x + gen_real(g, 0.0, 0.02), y + gen_real(g, 0.0, 0.02), 4.0 * h + gen_real(g, 0.0, 0.02) };
     }
     return et_fit_make(fit, data, nov, net, &o, NULL) == ET_OK;

@@ -13,7 +13,7 @@ typedef struct et_objective et_objective;                    /* opaque: basis va
 
 /* For a polynomial, closed fit with equal parameters in both views (improved and joint fits) and its data, D_c = data[c-1]; both are copied,
  * fit and data may go.  Equal, bit for bit, to et_fit_measure's nov at the fit's own control points.  ET_EINVAL: a shell rational, open or not
- * valid, parameters of the views not equal, nov not that of fit->data, a null pointer.  ET_ENOMEM. */
+ * valid, parameters of the views not equal, nov not that of fit->data, a null pointer.  ET_ENOMEM.  Golden: none (what it makes is opaque). */
 /*@ requires out:    \valid(objective);
     requires fit:    \valid_read(fit);
     requires data:   \valid_read(data + (0 .. nov - 1));
@@ -24,14 +24,14 @@ typedef struct et_objective et_objective;                    /* opaque: basis va
 */
 et_status et_objective_new(et_objective **objective, const et_fit *fit, const et_vec3 *data, size_t nov);
 
-/* et_objective_free(NULL) does nothing. */
+/* et_objective_free(NULL) does nothing.  Golden: none (nothing is computed). */
 /*@ requires known: objective == \null || \valid(objective);
     frees    objective;
     ensures  freed: objective != \null ==> \allocable(objective);
 */
 void et_objective_free(et_objective *objective);
 
-/* 3 NOV(control): coordinate d of control class c stands at x[3*(c-1) + d]. */
+/* 3 NOV(control): coordinate d of control class c stands at x[3*(c-1) + d].  Golden: none (the rows of et_doublenet_nov hold its values). */
 /*@ requires known:  \valid_read(objective);
     assigns  \nothing;
     ensures  whole:  \result % 3 == 0 && \result >= 12;
@@ -50,7 +50,8 @@ size_t et_objective_size(const et_objective *objective);
 */
 et_status et_objective_eval(double *value, const double *x, size_t n, void *objective);
 
-/* Evaluations so far: how many were full, and how many incremental; their sum is the number of successful calls of et_objective_eval. */
+/* Evaluations so far: how many were full, and how many incremental; their sum is the number of successful calls of et_objective_eval.
+ * Golden: none (which evaluations are incremental is a matter of cost). */
 /*@ requires known:  \valid_read(objective);
     requires out:    \valid(full) && \valid(incremental) && \separated(full, incremental, objective);
     assigns  *full, *incremental;

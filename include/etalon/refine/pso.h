@@ -8,8 +8,8 @@ extern "C" {
 
 /* One generation of a search started by et_search_start with velocities.  For every particle in turn: 2n draws, r1 then r2, one a coordinate;
  *     v = K (v + c1 r1 (own best - x) + c2 r2 (swarm's best - x)),   |v| <= vmax,   x = x + v clamped to the box
- * (the velocity stays as it is where the position is clamped); evaluated; the own best is replaced if strictly better.  The swarm's best is that
- * of the generation before for the whole sweep: the result does not depend on the order of the particles but through the draws.
+ * (the velocity stays as it is where the position is clamped, or with `absorb` becomes 0); evaluated; the own best is replaced if strictly better.
+ * The swarm's best is that of the generation before for the whole sweep, or with `immediate` the best so far.
  * population evaluations.  ET_EINVAL: a search without velocities. */
 /*@ requires search:  \valid(search) && rng != \null;
     assigns  search->x[0 .. search->options.population * search->n - 1], search->value[0 .. search->options.population - 1],

@@ -34,6 +34,8 @@ typedef struct {
     /* pso */
     double K, c1, c2;                     /* 0.729, 2.05, 2.05 */
     double vmax;                          /* greatest |velocity| per coordinate; default 5e-6; <= 0: none */
+    int immediate;                        /* 0 (default): the swarm's best is that of the generation before; 1: the best so far */
+    int absorb;                           /* 0 (default): a clamped coordinate keeps its velocity; 1: it loses it */
 } et_search_options;
 
 typedef struct {
@@ -56,7 +58,7 @@ typedef struct {
     ensures gene:       \result.group == 1 && \result.by_coordinate == 0;
     ensures ga:         \result.tournament == 4 && \result.crossover == 0.7 && \result.swap == 0.5 && \result.mutation == 0.01;
     ensures de:         \result.F == 0.3 && \result.CR == 0.8;
-    ensures pso:        \result.K == 0.729 && \result.c1 == 2.05 && \result.c2 == 2.05;
+    ensures pso:        \result.K == 0.729 && \result.c1 == 2.05 && \result.c2 == 2.05 && \result.immediate == 0 && \result.absorb == 0;
 */
 et_search_options et_search_defaults(void);
 
@@ -79,7 +81,7 @@ et_search_options et_search_defaults(void);
 et_status et_search_start(et_search *search, const double *x0, size_t n, const et_search_options *options, int velocities,
                           et_search_fn fn, void *context, et_rng *rng);
 
-/* Free what et_search_start allocated and zero the struct; a zeroed struct may be freed. */
+/* Free what et_search_start allocated and zero the struct; a zeroed struct may be freed.  Golden: none (nothing is computed). */
 /*@ requires search: \valid(search);
     assigns  *search;
     ensures  zero:   search->x == \null && search->best == \null && search->velocity == \null && search->n == 0;
@@ -87,7 +89,8 @@ et_status et_search_start(et_search *search, const double *x0, size_t n, const e
 void et_search_free(et_search *search);
 
 /* x[k] = x0[first + k] + radius (2 U - 1), k < count, U one draw of et_rng_fill each: the only way points are drawn, at the start with radius
- * spread, by the mutation of ga with radius box (spread without a box).  |x[k] - x0[first + k]| <= radius up to the rounding of the sum. */
+ * spread, by the mutation of ga with radius box (spread without a box).  |x[k] - x0[first + k]| <= radius up to the rounding of the sum.
+ * Golden: none (the rows of et_search_start and et_ga_step are made of its numbers). */
 /*@ requires search: \valid_read(search) && rng != \null;
     requires range:  first + count <= search->n;
     requires out:    \valid(x + (0 .. count - 1));
@@ -109,7 +112,7 @@ void et_search_draw(double *x, const et_search *search, size_t first, size_t cou
 void et_search_clamp(double *x, const et_search *search);
 
 /* *value = f(x): counts the evaluation and keeps the best.  Only a strictly smaller value replaces the best: of equals the first stays.  On
- * failure (fn's status; ET_EINVAL for NaN) nothing changes. */
+ * failure (fn's status; ET_EINVAL for NaN) nothing changes.  Golden: none (the value is the caller's). */
 /*@ requires out:    \valid(value) && \valid(search);
     requires x:      \valid_read(x + (0 .. search->n - 1));
     requires apart:  \separated(value, x + (0 .. search->n - 1), search->best + (0 .. search->n - 1), search);
@@ -126,7 +129,8 @@ typedef et_status (*et_search_step)(et_search *search, et_rng *rng);
 /* generations steps; history[g] = best value after step g (generations numbers, may be null); task is told (g + 1, generations) after each.
  * ET_ESTOPPED (or whatever else task or step returns) leaves the best so far in search and the rest of history unset; *made tells how many
  * steps were made, search->generation how many since the start.  After a failing objective the best, its value, the count of evaluations and
- * the values of the population hold; a search stepped on from there is not on the path of an unbroken run. */
+ * the values of the population hold; a search stepped on from there is not on the path of an unbroken run.
+ * Golden: none (the rows of et_ga_step, et_de_step and et_pso_step are runs). */
 /*@ requires search:  \valid(search) && \valid(made) && step != \null && rng != \null;
     requires history: history == \null || \valid(history + (0 .. generations - 1));
     requires task:    task == \null || \valid_read(task);
