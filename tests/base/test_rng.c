@@ -1,8 +1,9 @@
-/* base/rng against a second mt19937, written from its definition, and against its own promises. */
+/* base/rng against a second mt19937, written from its definition, against GSL's, and against its own promises. */
 #include "etalon/base/rng.h"
 #include "etalon/base/real.h"
 #include "gen.h"
 #include "golden.h"
+#include <gsl/gsl_rng.h>
 #include <math.h>
 #include <string.h>
 
@@ -152,6 +153,24 @@ verdict prop_rng_uniform(gen *g)
         double x = et_rng_uniform(rng), want = ldexp((double)twister_next(&t), -32);
         ok = gen_check(g, same(x, want) && x >= 0.0 && x < 1.0, "draw %llu is %a for %a", (unsigned long long)k, x, want);
     }
+    et_rng_free(rng);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_rng_uniform_gsl(gen *g)
+{
+    uint64_t seed = gen_upto(g, UINT32_MAX);
+    et_rng *rng = make(seed);
+    gsl_rng *gsl = gsl_rng_alloc(gsl_rng_mt19937);
+    bool ok = rng && gsl;
+    if (ok) {
+        gsl_rng_set(gsl, (unsigned long)seed);
+    }
+    for (uint64_t k = 0, n = gen_upto(g, 700); ok && k <= n; k++) {
+        double x = et_rng_uniform(rng), want = gsl_rng_uniform(gsl);
+        ok = gen_check(g, same(x, want), "draw %llu is %a, GSL's %a", (unsigned long long)k, x, want);
+    }
+    gsl_rng_free(gsl);
     et_rng_free(rng);
     return ok ? PASS : FAIL;
 }

@@ -1,6 +1,9 @@
 /* bench: time by the processor's clock, peers as programs of their own, one table for all. */
 #ifndef TESTS_BENCH_H
 #define TESTS_BENCH_H
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* Seconds of processor time of this process so far. */
 double bench_cpu(void);
@@ -25,4 +28,8 @@ int bench_row(const char *item, const char *size, const char *peer, double peer_
 
 /* The line of a peer that is not there. */
 void bench_skip(const char *item, const char *size, const char *peer);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

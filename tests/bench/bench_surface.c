@@ -37,7 +37,7 @@ static double total(const job *j, size_t n)
 
 static int table(const char *item, const char *size, double ours, double sum, const char *const *peer, const double *goal, size_t n)
 {
-    static const char *const interpreter[] = {"", "python3 "};
+    static const char *const interpreter[] = {"", "/usr/bin/python3 "};
     const char *bin = getenv("BENCH_BIN"), *src = getenv("BENCH_SRC");
     int met = 1;
     for (size_t k = 0; k < n; k++) {

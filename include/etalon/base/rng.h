@@ -1,5 +1,6 @@
-/* rng: the seeded generator, GSL's mt19937 (Matsumoto and Nishimura 1998, initialised as of 2002) behind one handle.  Randomness enters
- * Etalon only through an explicit et_rng: the same seed gives the same numbers on every compiler, processor and thread count.
+/* rng: the seeded generator, mt19937 (Matsumoto and Nishimura 1998, initialised as of 2002) with the numbers of GSL's gsl_rng_mt19937.
+ * Randomness enters Etalon only through an explicit et_rng: the same seed gives the same numbers on every compiler, processor and thread
+ * count.
  */
 #ifndef ETALON_BASE_RNG_H
 #define ETALON_BASE_RNG_H
