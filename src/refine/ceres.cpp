@@ -7,6 +7,7 @@
 #include <Eigen/Sparse>
 #include <algorithm>
 #include <ceres/ceres.h>
+#include <climits>
 #include <cmath>
 #include <glog/logging.h>
 #include <limits>
@@ -532,6 +533,12 @@ public:
         status = et_task_step(task, iterations, total);
         return status == ET_OK ? ceres::SOLVER_CONTINUE : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
     }
+    /* A solver that ends by its tolerance does not call back for that iteration. */
+    void settle()
+    {
+        if (made > 0 && made == iterations)
+            history[made - 1] = model.best;
+    }
     size_t iterations = 0, made = 0;
     et_status status = ET_OK;
 
@@ -569,6 +576,7 @@ bool descend_at(Model &model, double mu, double enough, VectorXd &y, const et_ce
         y.setZero();
         options.max_num_iterations = (int)std::min<size_t>((size_t)model.inner(), o.iterations - watch.iterations);
         ceres::Solve(options, problem, y.data(), &summary);
+        watch.settle();
         if (!(summary.initial_cost - summary.final_cost > std::max(o.tolerance * summary.initial_cost, enough)))
             return watch.status == ET_OK;
     }
@@ -621,6 +629,17 @@ double measure_at(const et_shell *shell, const std::vector<double> &uv, const et
     return et_real_sum(term.data(), term.size());
 }
 
+/* Parameters of the data are there and within [0, 1]. */
+bool has_parameters(const et_fit *fit)
+{
+    const auto inside = [](const double *t, size_t n) { return t && std::all_of(t, t + n, [](double x) { return x >= 0 && x <= 1; }); };
+
+    for (size_t view = ET_BOTTOM; view <= ET_TOP; view++)
+        if (!inside(fit->s[view], fit->data.nx) || !inside(fit->r[view], fit->data.ny))
+            return false;
+    return true;
+}
+
 et_status check(const et_fit *fit, const et_ceres_summary *summary, const et_vec3 *data, size_t nov, const et_ceres_options &o, et_message *message)
 {
     if (!fit || !summary || !data)
@@ -631,6 +650,10 @@ et_status check(const et_fit *fit, const et_ceres_summary *summary, const et_vec
         return et_status_fail(message, ET_EINVAL, "ceres: the shell is not closed");
     if (!et_doublenet_valid(fit->data) || nov != et_doublenet_nov(fit->data) || !et_vec3_finite(data, nov))
         return et_status_fail(message, ET_EINVAL, "ceres: data do not belong to the fit, or are not finite");
+    if (!has_parameters(fit))
+        return et_status_fail(message, ET_EINVAL, "ceres: the fit has no parameters within [0, 1]");
+    if (nov > INT_MAX / 8 || et_doublenet_nov(et_shell_net(&fit->shell)) > INT_MAX / 8)   /* Ceres counts unknowns by int */
+        return et_status_fail(message, ET_ENOMEM, "ceres: too many unknowns");
     return ET_OK;
 }
 
