@@ -259,14 +259,15 @@ static bool steps_aside(gen *g, const char *directory)
     return ok && gen_check(g, holds_text(stale, "stale"), "%s was written", stale);
 }
 
-/* A name without a directory stands in the current one; "/dev/stdout" is not replaced. */
+/* A name without a directory stands in the current one; descriptor 0 serves as another; "/dev/stdout" is not replaced. */
 static bool here(const char *directory)
 {
     et_file f;
     struct stat before, after;
-    bool ok = chdir(directory) == 0 && et_file_create(&f, "out", NULL) == ET_OK && strncmp(f.temporary, ".etalon-", 8) == 0;
+    bool ok = chdir(directory) == 0 && close(0) == 0 && et_file_create(&f, "out", NULL) == ET_OK && strncmp(f.temporary, ".etalon-", 8) == 0;
 
-    ok = ok && et_file_commit(&f, NULL) == ET_OK && access("out", F_OK) == 0;
+    ok = ok && fileno(f.stream) == 0 && et_file_commit(&f, NULL) == ET_OK && access("out", F_OK) == 0;
+    ok = ok && et_file_create(&f, "/dev/null", NULL) == ET_OK && fileno(f.stream) == 0 && et_file_commit(&f, NULL) == ET_OK;
     spill("log", "first ");
     const int fd = open("log", O_WRONLY | O_APPEND);
     ok = ok && fd >= 0 && dup2(fd, 1) == 1 && stat("log", &before) == 0 && et_file_create(&f, "/dev/stdout", NULL) == ET_OK && !f.temporary;

@@ -172,7 +172,8 @@ static bool same_surface(const et_surface_file *a, const et_surface_file *b)
     for (size_t w = 0; ok && w < 2; w++)
         ok = same_view(&a->fit.shell.view[w], &b->fit.shell.view[w]) && same(a->fit.s[w], b->fit.s[w], d.nx * sizeof(double)) &&
              same(a->fit.r[w], b->fit.r[w], d.ny * sizeof(double));
-    return ok && a->fit.flat == b->fit.flat && same(&a->error.nov, &b->error.nov, sizeof(double)) && same(&a->error.non, &b->error.non, sizeof(double)) &&
+    return ok && a->fit.flat == b->fit.flat && same(&a->error.nov, &b->error.nov, sizeof(double)) &&
+           same(&a->error.non, &b->error.non, sizeof(double)) &&
            same(&a->error.greatest, &b->error.greatest, sizeof(double)) && same(&a->error.corner, &b->error.corner, sizeof(double)) &&
            same(&a->seam_gap, &b->seam_gap, sizeof(double)) && same(a->uv, b->uv, 2 * et_doublenet_nov(d) * sizeof(double));
 }
@@ -608,14 +609,16 @@ verdict prop_json_write_net(gen *g)
     some_path(path, ".json");
     ok = gen_check(g, et_json_write_net(path, &n, &message) == ET_OK, "%s", message.text);
     whole = whole_file(path, &size);
-    snprintf(head, sizeof head, "{\n  \"format\": \"etalon-net\",\n  \"version\": 1,\n  \"net\": {\"nx\": %zu, \"ny\": %zu, \"non\": %zu, \"nov\": %zu, \"nor\": %zu},",
+    snprintf(head, sizeof head, "{\n  \"format\": \"etalon-net\",\n  \"version\": 1,\n"
+             "  \"net\": {\"nx\": %zu, \"ny\": %zu, \"non\": %zu, \"nov\": %zu, \"nor\": %zu},",
              n.net.nx, n.net.ny, et_doublenet_non(n.net), et_doublenet_nov(n.net), et_doublenet_nor(n.net));
     ok = ok && gen_check(g, whole && strncmp(whole, head, strlen(head)) == 0 && whole[size - 1] == '\n', "head");
     /* A second reader: the first weight, and the last, as jansson sees them. */
     json_t *const document = whole ? json_loads(whole, JSON_REJECT_DUPLICATES, NULL) : NULL;
     const json_t *const weights = json_object_get(document, "weights");
     const size_t nov = et_doublenet_nov(n.net);
-    const double x = json_real_value(json_array_get(json_array_get(weights, 0), 0)), z = json_real_value(json_array_get(json_array_get(weights, nov - 1), 2));
+    const double x = json_real_value(json_array_get(json_array_get(weights, 0), 0));
+    const double z = json_real_value(json_array_get(json_array_get(weights, nov - 1), 2));
     ok = ok && gen_check(g, same(&x, &n.weights[0].x, sizeof x) && same(&z, &n.weights[nov - 1].z, sizeof z), "weights");
     json_decref(document);
     free(whole);
@@ -740,7 +743,8 @@ verdict prop_json_write_surface(gen *g)
     snprintf(head, sizeof head,
              "{\n  \"format\": \"etalon-surface\",\n  \"version\": 1,\n  \"fit\": {\"approach\": \"%s\", \"parameters\": \"%s\", \"knots\": \"%s\", "
              "\"algebra\": \"%s\", \"corners\": \"%s\",\n",
-             names[0][s.options.approach], names[1][s.options.method], names[2][s.options.knots], names[3][s.options.algebra], names[4][s.options.corners]);
+             names[0][s.options.approach], names[1][s.options.method], names[2][s.options.knots],
+             names[3][s.options.algebra], names[4][s.options.corners]);
     ok = ok && gen_check(g, whole && strncmp(whole, head, strlen(head)) == 0 && whole[size - 1] == '\n', "head");
     ok = ok && gen_check(g, strstr(whole, et_shell_closed(&s.fit.shell) ? "\"closed\": true" : "\"closed\": false") != NULL, "closed");
     /* A second reader: a control point and a knot of the top, as jansson sees them. */
