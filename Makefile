@@ -43,7 +43,8 @@ CXX    := $(CXX_$(P))
 OMP    := $(if $(OMP_$(P)),$(shell echo 'int main(void){return 0;}' | $(CC) -fopenmp -x c -o /dev/null - 2>/dev/null && echo -fopenmp))
 COMMON := -g -ffp-contract=off -fno-math-errno -ffile-prefix-map=$(CURDIR)=. -Wall -Wextra -Wshadow -Wconversion -Wno-unknown-pragmas -Werror -Iinclude -Isrc
 CFLAGS   = -std=c99 -pedantic-errors -Wstrict-prototypes -Wvla $(COMMON) $(FLAGS_$(P)) $(OMP) -D_POSIX_C_SOURCE=200809L
-CXXFLAGS = -std=c++17 $(COMMON) $(FLAGS_$(P)) -isystem /usr/include/eigen3 $(if $(filter asan fuzz,$(P)),-fno-sanitize=vptr)
+# Eigen's types have another layout under -march=native than in the Ceres that is installed.
+CXXFLAGS = -std=c++17 $(COMMON) $(filter-out -march=native,$(FLAGS_$(P))) -isystem /usr/include/eigen3 $(if $(filter asan fuzz,$(P)),-fno-sanitize=vptr)
 LDFLAGS ?= -Wl,--as-needed
 LIBS   := -lceres -lglog -llapacke -llapack -lblas -lgsl -lgslcblas -ljansson -lstdc++ -lm
 LDLIBS  = $(LIBS)
