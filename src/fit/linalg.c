@@ -409,75 +409,101 @@ static lapack_int band_cholesky(band *f, const double *a, const size_t *start, s
     return info;
 }
 
-/* acc[x] += sum of q[i*w] b[i*k + x] over i < t, in the order of i by fours. */
-static void accumulate(double *restrict acc, const double *q, size_t w, const double *restrict b, size_t k, size_t t, size_t width)
+/* y += a x.  The whole strip has a loop of its own because its constant length lets compilers use vectors at -O2; each element is computed alike. */
+static void add_scaled(double *restrict y, double a, const double *restrict x, size_t width)
+{
+    if (width == STRIP)
+        for (size_t i = 0; i < STRIP; i++)
+            y[i] += a * x[i];
+    else
+        for (size_t i = 0; i < width; i++)
+            y[i] += a * x[i];
+}
+
+static void add_four(double *restrict y, const double q[4], const double *restrict b0, size_t k, size_t width)
+{
+    const double *restrict b1 = b0 + k, *restrict b2 = b1 + k, *restrict b3 = b2 + k;
+    const double q0 = q[0], q1 = q[1], q2 = q[2], q3 = q[3];
+
+    if (width == STRIP)
+        for (size_t x = 0; x < STRIP; x++)
+            y[x] += (q0 * b0[x] + q1 * b1[x]) + (q2 * b2[x] + q3 * b3[x]);
+    else
+        for (size_t x = 0; x < width; x++)
+            y[x] += (q0 * b0[x] + q1 * b1[x]) + (q2 * b2[x] + q3 * b3[x]);
+}
+
+/* acc += sum of q[i*w] b[i*k ...] over i < t, in the order of i by fours. */
+static void accumulate(double *acc, const double *q, size_t w, const double *b, size_t k, size_t t, size_t width)
 {
     size_t i = 0;
 
     for (; i + 4 <= t; i += 4) {
-        const double q0 = q[i * w], q1 = q[(i + 1) * w], q2 = q[(i + 2) * w], q3 = q[(i + 3) * w];
-        const double *b0 = b + i * k, *b1 = b0 + k, *b2 = b1 + k, *b3 = b2 + k;
-        if (width == STRIP)
-            for (size_t x = 0; x < STRIP; x++)
-                acc[x] += (q0 * b0[x] + q1 * b1[x]) + (q2 * b2[x] + q3 * b3[x]);
-        else
-            for (size_t x = 0; x < width; x++)
-                acc[x] += (q0 * b0[x] + q1 * b1[x]) + (q2 * b2[x] + q3 * b3[x]);
+        const double four[4] = {q[i * w], q[(i + 1) * w], q[(i + 2) * w], q[(i + 3) * w]};
+        add_four(acc, four, b + i * k, k, width);
     }
     for (; i < t; i++)
-        for (size_t x = 0; x < width; x++)
-            acc[x] += q[i * w] * b[i * k + x];
+        add_scaled(acc, q[i * w], b + i * k, width);
 }
 
 /* One block on one strip: rows s .. s+w-1 of C become top * (those rows) + q' * (t rows of b). */
 static void project_block(double *C, const double *top, const double *q, size_t w, const double *b, size_t k, size_t t, size_t width, double *acc)
 {
     memset(acc, 0, w * STRIP * sizeof *acc);
-    for (size_t r = 0; r < w; r++)
+    for (size_t r = 0; r < w; r++) {
         for (size_t c = 0; c < w; c++)
             if (top[r * w + c] != 0)
-                for (size_t x = 0; x < width; x++)
-                    acc[r * STRIP + x] += top[r * w + c] * C[c * k + x];
-    for (size_t r = 0; r < w; r++)
+                add_scaled(acc + r * STRIP, top[r * w + c], C + c * k, width);
         accumulate(acc + r * STRIP, q + r, w, b, k, t, width);
+    }
     for (size_t r = 0; r < w; r++)
         memcpy(C + r * k, acc + r * STRIP, width * sizeof *C);
 }
 
-/* C (n x k, zero on entry) = Q'B, or A'B for normal equations.  work: w * STRIP doubles. */
-static void band_project(double *C, const band *f, const size_t *start, size_t m, size_t w, const double *B, size_t k, double *work)
+/* y a, by parts like add_scaled. */
+static void scale(double *y, double a, size_t width)
+{
+    if (width == STRIP)
+        for (size_t x = 0; x < STRIP; x++)
+            y[x] *= a;
+    else
+        for (size_t x = 0; x < width; x++)
+            y[x] *= a;
+}
+
+/* R'Y = C in place. */
+static void band_forward(double *C, const double *R, size_t n, size_t w, size_t k, size_t width)
+{
+    for (size_t i = 0; i < n; i++) {
+        scale(C + i * k, 1 / R[i * w], width);    /* one rounding more than a quotient's */
+        for (size_t c = 1; c < w && i + c < n; c++)
+            add_scaled(C + (i + c) * k, -R[i * w + c], C + i * k, width);
+    }
+}
+
+/* R X = C in place. */
+static void band_back(double *C, const double *R, size_t n, size_t w, size_t k, size_t width)
+{
+    for (size_t i = n; i-- > 0;) {
+        for (size_t c = 1; c < w && i + c < n; c++)
+            add_scaled(C + i * k, -R[i * w + c], C + (i + c) * k, width);
+        scale(C + i * k, 1 / R[i * w], width);    /* one rounding more than a quotient's */
+    }
+}
+
+/* X (n x k, zero on entry) = the solution, a strip of columns at a time while it is in the cache.  work: w * STRIP doubles. */
+static void band_solve(double *X, const band *f, const size_t *start, size_t m, size_t n, size_t w, const double *B, size_t k, int normal, double *work)
 {
     for (size_t x = 0; x < k; x += STRIP) {
         const size_t width = k - x < STRIP ? k - x : STRIP;
         for (size_t i = 0, end; i < m; i = end) {
             const size_t s = start[i];
             end = block_end(start, m, i);
-            project_block(C + s * k + x, f->top + s * w * w, f->q + i * w, w, B + i * k + x, k, end - i, width, work);
+            project_block(X + s * k + x, f->top + s * w * w, f->q + i * w, w, B + i * k + x, k, end - i, width, work);
         }
-    }
-}
-
-/* R'Y = C in place. */
-static void band_forward(double *C, const double *R, size_t n, size_t w, size_t k)
-{
-    for (size_t i = 0; i < n; i++) {
-        for (size_t x = 0; x < k; x++)
-            C[i * k + x] /= R[i * w];
-        for (size_t c = 1; c < w && i + c < n; c++)
-            for (size_t x = 0; x < k; x++)
-                C[(i + c) * k + x] -= R[i * w + c] * C[i * k + x];
-    }
-}
-
-/* R X = C in place. */
-static void band_back(double *C, const double *R, size_t n, size_t w, size_t k)
-{
-    for (size_t i = n; i-- > 0;) {
-        for (size_t c = 1; c < w && i + c < n; c++)
-            for (size_t x = 0; x < k; x++)
-                C[i * k + x] -= R[i * w + c] * C[(i + c) * k + x];
-        for (size_t x = 0; x < k; x++)
-            C[i * k + x] /= R[i * w];
+        if (normal)
+            band_forward(X + x, f->R, n, w, k, width);
+        band_back(X + x, f->R, n, w, k, width);
     }
 }
 
@@ -546,10 +572,7 @@ et_status et_linalg_band_lsq(double *X, size_t *rank, const double *a, const siz
     status = work == NULL ? ET_ENOMEM : band_factor(&f, a, start, m, n, w, method);
     if (status == ET_OK) {
         memset(X, 0, n * k * sizeof *X);
-        band_project(X, &f, start, m, w, B, k, work);
-        if (method == ET_LINALG_CHOLESKY)
-            band_forward(X, f.R, n, w, k);
-        band_back(X, f.R, n, w, k);
+        band_solve(X, &f, start, m, n, w, B, k, method == ET_LINALG_CHOLESKY, work);
         *rank = n;
     }
     free(work);
