@@ -17,8 +17,8 @@ make_all() {
     OMP_NUM_THREADS=$2 OPENBLAS_NUM_THREADS=$2
     export OMP_NUM_THREADS OPENBLAS_NUM_THREADS
     mkdir -p "$3" && cd "$3" || return
-    for c in cube sphere spindle oiltank; do "$e" generate $c -o $c.xyz; done
-    "$e" generate sphere --noise 0.01 --outliers 0.05 --seed 7 -o noisy.xyz
+    for c in cube sphere spindle oiltank; do "$e" generate $c -q -o $c.xyz; done
+    "$e" generate sphere --noise 0.01 --outliers 0.05 --seed 7 -q -o noisy.xyz
     "$e" train noisy.xyz --grid 12x9 --seed 5 -q -o net.json
     "$e" train cube.xyz --grid 20x20 --seed 6 --iterations 5000 -q -o other_net.json
     for a in conventional improved joint; do
