@@ -127,7 +127,7 @@ J := -j$(shell nproc 2> /dev/null || echo 1)
 built: all $(B)/check
 check: deps-test
 	@$(SUM) '$(MAKE) -s $(J) built' '$(MAKE) -s $(J) P=clang built' '$(MAKE) -s $(J) P=asan built' \
-	  '$(MAKE) -s test' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s audit' '$(MAKE) -s docs' \
+	  '$(MAKE) -s test' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s audit' '$(MAKE) -s docs' 'sh tests/install.sh $(BUILD)' \
 	  'ET_RUNS=200 $(MAKE) -s P=clang test' '$(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s bits'
 end-to-end: all
 	@$(SUM) $(foreach s,$(sort $(wildcard tests/cli/*.sh)),'sh $(s) $(B)/etalon')
@@ -153,9 +153,11 @@ deps:
 deps-test:
 	@sh tests/deps.sh $(PACKAGES) $(PACKAGES_TEST)
 demo: deps
-	@$(MAKE) -s all
-	$(BUILD)/release/etalon reconstruct sphere -o $(BUILD)/demo
-	@echo "The pictures are in $(BUILD)/demo."
+	@$(MAKE) -s $(J) all
+	@mkdir -p $(BUILD)/demo
+	$(BUILD)/release/etalon generate sphere -o $(BUILD)/demo/sphere.xyz
+	$(BUILD)/release/etalon reconstruct $(BUILD)/demo/sphere.xyz --grid 20x20 --control 12x12 --refine de --seed 1 -o $(BUILD)/demo
+	@echo "The pictures are in $(CURDIR)/$(BUILD)/demo: cloud.png, net.png, surface.png, error.png, convergence.png; start with report.md."
 
 install: all $(B)/etalon.pc
 	install -d $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/man/man1
