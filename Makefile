@@ -167,7 +167,7 @@ install: all $(B)/etalon.pc
 	install -m 755 $(B)/etalon $(DESTDIR)$(PREFIX)/bin
 	$(if $(wildcard docs/etalon.1),install -m 644 docs/etalon.1 $(DESTDIR)$(PREFIX)/share/man/man1)
 $(B)/etalon.pc: src/etalon.pc.in Makefile
-	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@LIBS@|$(LIBS)|' $< > $@
+	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@LIBS@|$(LIBS) $(OMP)|' $< > $@
 uninstall:
 	rm -rf $(DESTDIR)$(PREFIX)/include/etalon
 	rm -f $(DESTDIR)$(PREFIX)/lib/libetalon.a $(DESTDIR)$(PREFIX)/lib/pkgconfig/etalon.pc $(DESTDIR)$(PREFIX)/bin/etalon
