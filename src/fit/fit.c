@@ -98,8 +98,8 @@ void et_fit_free(et_fit *fit)
 /* ---- collocation: the basis functions at the parameters, by rows of p + 1 entries ---- */
 
 typedef struct {
-    size_t m, n, w;                       /* parameters, control points, p + 1 */
-    double *a;                            /* a[i*w + k] = N_{start[i]+k}(t_i) */
+    size_t m, n, w; /* parameters, control points, p + 1 */
+    double *a;      /* a[i*w + k] = N_{start[i]+k}(t_i) */
     size_t *start;
 } collocation;
 
@@ -195,8 +195,8 @@ static et_status solve_view(et_vec3 *P, const collocation *U, const collocation 
  * border control points only and join the border data in one small least-squares problem; the others then give each view's interior exactly.
  */
 typedef struct {
-    size_t views;                         /* 1 or 2; two share their border and their collocation */
-    int fixed;                            /* corners stand at the data's corners */
+    size_t views; /* 1 or 2; two share their border and their collocation */
+    int fixed;    /* corners stand at the data's corners */
     et_doublenet data, control;
     const collocation *U, *V;
     const et_vec3 *D[2];
@@ -393,8 +393,8 @@ static et_status reduce_direction(double *R, et_vec3 *C, const collocation *N, c
 }
 
 typedef struct {
-    double *Ru, *Rv;                      /* cx x cx, cy x cy, columns (interior, first, last) */
-    et_vec3 *E;                           /* E[(b*views + w)*cx + a] = (Qu' D_w Qv)(a, b) */
+    double *Ru, *Rv; /* cx x cx, cy x cy, columns (interior, first, last) */
+    et_vec3 *E;      /* E[(b*views + w)*cx + a] = (Qu' D_w Qv)(a, b) */
 } reduction;
 
 static void reduction_free(reduction *r)
@@ -617,8 +617,7 @@ static et_status run(et_fit *fit, const job *k, et_message *message)
     et_status status;
 
     if (o->approach == ET_FIT_JOINT) {
-        const glued g = {2,          k->fixed,     fit->data, o->control, &k->U[0], &k->V[0], {k->D[0], k->D[1]}, {view[0].points, view[1].points},
-                         "both views"};
+        const glued g = {2, k->fixed, fit->data, o->control, &k->U[0], &k->V[0], {k->D[0], k->D[1]}, {view[0].points, view[1].points}, "both views"};
         status = solve_glued(&g, o->algebra, message);
     } else {
         status = run_separate(fit, k, message);
@@ -686,8 +685,8 @@ static et_status check_options(et_doublenet n, const et_fit_options *o, et_messa
     if (c.nx > n.nx || c.ny > n.ny)
         return et_status_fail(message, ET_EINVAL, "control net %zux%zu is larger than the data %zux%zu", c.nx, c.ny, n.nx, n.ny);
     if (o->p < 1 || o->q < 1 || o->p >= c.nx || o->q >= c.ny)
-        return et_status_fail(message, ET_EINVAL, "degrees %zu and %zu do not suit a control net %zux%zu: at least 1, less than its side",
-                              o->p, o->q, c.nx, c.ny);
+        return et_status_fail(message, ET_EINVAL, "degrees %zu and %zu do not suit a control net %zux%zu: at least 1, less than its side", o->p, o->q,
+                              c.nx, c.ny);
     if (o->knots == ET_KNOTRULE_AVERAGING && (c.nx != n.nx || c.ny != n.ny))
         return et_status_fail(message, ET_EINVAL, "averaged knots need as many control points (%zux%zu) as data (%zux%zu)", c.nx, c.ny, n.nx, n.ny);
     return ET_OK;

@@ -117,8 +117,7 @@ static et_status solve_qr(double *A, double *C, size_t m, size_t n, size_t k, in
     *lost = singular(rcond, m);
     if (*lost)
         return ET_ERANK;
-    return status_of(
-        LAPACKE_dtrtrs(LAPACK_COL_MAJOR, 'U', 'N', 'N', (lapack_int)n, (lapack_int)k, A, (lapack_int)m, C, (lapack_int)m));
+    return status_of(LAPACKE_dtrtrs(LAPACK_COL_MAJOR, 'U', 'N', 'N', (lapack_int)n, (lapack_int)k, A, (lapack_int)m, C, (lapack_int)m));
 }
 
 /* G = A'A and H = A'B, row-major; each entry a sum of m products in order of the rows. */
@@ -269,12 +268,12 @@ et_status et_linalg_qr(double *R, double *C, const double *A, size_t m, size_t n
  * R's right-hand side, rows of B) to the new rows of R's right-hand side is orthonormal; it is formed once, `top` (w x w) and `q` (w a data row),
  * and then costs w multiplications a datum, no more than normal equations do.
  */
-enum { STRIP = 64 };                      /* columns treated together: their w accumulators stay in the first cache */
+enum { STRIP = 64 }; /* columns treated together: their w accumulators stay in the first cache */
 
 typedef struct {
-    double *R;                            /* R[i*w + c] = R(i, i+c) */
-    double *top, *q;                      /* top[s*w*w + ...] for the block that starts at column s; q[i*w + c] */
-    double *v, *tau;                      /* of one block: reflector c's bottom part at v[c*m + ...] */
+    double *R;       /* R[i*w + c] = R(i, i+c) */
+    double *top, *q; /* top[s*w*w + ...] for the block that starts at column s; q[i*w + c] */
+    double *v, *tau; /* of one block: reflector c's bottom part at v[c*m + ...] */
 } band;
 
 static void band_free(band *f)
@@ -475,7 +474,7 @@ static void scale(double *y, double a, size_t width)
 static void band_forward(double *C, const double *R, size_t n, size_t w, size_t k, size_t width)
 {
     for (size_t i = 0; i < n; i++) {
-        scale(C + i * k, 1 / R[i * w], width);    /* one rounding more than a quotient's */
+        scale(C + i * k, 1 / R[i * w], width); /* one rounding more than a quotient's */
         for (size_t c = 1; c < w && i + c < n; c++)
             add_scaled(C + (i + c) * k, -R[i * w + c], C + i * k, width);
     }
@@ -487,12 +486,13 @@ static void band_back(double *C, const double *R, size_t n, size_t w, size_t k, 
     for (size_t i = n; i-- > 0;) {
         for (size_t c = 1; c < w && i + c < n; c++)
             add_scaled(C + i * k, -R[i * w + c], C + (i + c) * k, width);
-        scale(C + i * k, 1 / R[i * w], width);    /* one rounding more than a quotient's */
+        scale(C + i * k, 1 / R[i * w], width); /* one rounding more than a quotient's */
     }
 }
 
 /* X (n x k, zero on entry) = the solution, a strip of columns at a time while it is in the cache.  work: w * STRIP doubles. */
-static void band_solve(double *X, const band *f, const size_t *start, size_t m, size_t n, size_t w, const double *B, size_t k, int normal, double *work)
+static void band_solve(double *X, const band *f, const size_t *start, size_t m, size_t n, size_t w, const double *B, size_t k, int normal,
+                       double *work)
 {
     for (size_t x = 0; x < k; x += STRIP) {
         const size_t width = k - x < STRIP ? k - x : STRIP;

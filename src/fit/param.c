@@ -39,7 +39,7 @@ static double greatest_step(size_t n, const et_vec3 *D, size_t stride, double ha
 static double step(et_vec3 d, double f, double g, et_param_method method)
 {
     const double x = d.x * f * g, y = d.y * f * g, z = d.z * f * g;
-    const double length = sqrt(x * x + y * y + z * z);    /* within 2.5u relative, and 2^-537 where squares underflow */
+    const double length = sqrt(x * x + y * y + z * z); /* within 2.5u relative, and 2^-537 where squares underflow */
 
     if (method == ET_PARAM_CENTRIPETAL)
         return sqrt(length);

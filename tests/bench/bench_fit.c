@@ -1,6 +1,6 @@
-/* Least squares of one view of a double net, bicubic, next to peers on the same input: size n x m is n x n data and m x m control points, both directions one
- * after the other.  Collocation and transposition are timed with it.  The residual is the peer's sum of control coordinates against ours, relative.
- * The goal is for QR, the default; Cholesky, what the peers do, is shown beside it. */
+/* Least squares of one view of a double net, bicubic, next to peers on the same input: size n x m is n x n data and m x m control points, both
+ * directions one after the other.  Collocation and transposition are timed with it.  The residual is the peer's sum of control coordinates against
+ * ours, relative. The goal is for QR, the default; Cholesky, what the peers do, is shown beside it. */
 #include "bench.h"
 #include "etalon/base/real.h"
 #include "etalon/base/vec3.h"

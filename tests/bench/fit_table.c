@@ -90,8 +90,8 @@ static void run(size_t model, size_t nets)
         add_net(sum, data, nov, net);
     }
     for (size_t k = 0; k < SIZES; k++) {
-        printf("%-7s %2zux%-2zu  %7.2f %7.2f   %7.2f %7.2f  ", kind_names[model], sizes[k], sizes[k], published[model][k][0], sum[k][0] / (double)nets,
-               published[model][k][1], sum[k][1] / (double)nets);
+        printf("%-7s %2zux%-2zu  %7.2f %7.2f   %7.2f %7.2f  ", kind_names[model], sizes[k], sizes[k], published[model][k][0],
+               sum[k][0] / (double)nets, published[model][k][1], sum[k][1] / (double)nets);
         printf("| %7.2f %7.2f %7.2f\n", sum[k][2] / (double)nets, sum[k][3] / (double)nets, sum[k][4] / (double)nets);
     }
     free(cloud);

@@ -101,7 +101,7 @@ typedef struct {
     size_t rows, columns;
     double A[CLASSES * CLASSES];
     double rhs[CLASSES * 3];
-    et_vec3 *unknown[CLASSES];            /* where each unknown stands in the fit, in the first view that has it */
+    et_vec3 *unknown[CLASSES]; /* where each unknown stands in the fit, in the first view that has it */
 } system_;
 
 static int inside(et_doublenet n, size_t i, size_t j)
@@ -230,7 +230,7 @@ static bool stationary(gen *g, const system_ *s, double inverse)
             for (size_t j = 0; j < s->columns; j++)
                 slope[j] += s->A[i * s->columns + j] * r[i];
         }
-        const double bound = c * a * (norm(b, s->rows) * (1 + a * inverse) + a * norm(x, s->columns)) + 0x1p-1000;    /* the last for underflow */
+        const double bound = c * a * (norm(b, s->rows) * (1 + a * inverse) + a * norm(x, s->columns)) + 0x1p-1000; /* the last for underflow */
         if (!gen_check(g, norm(slope, s->columns) <= bound, "gradient %g, bound %g", norm(slope, s->columns), bound))
             return false;
     }
@@ -348,7 +348,8 @@ static bool optimal(gen *g, const problem *c, et_fit *f)
     return true;
 }
 
-/* Deficient systems must be told, well-conditioned ones solved: a condition number below 1e5 is far from every solver's limit (Cholesky's is near 1e7). */
+/* Deficient systems must be told, well-conditioned ones solved: a condition number below 1e5 is far from every solver's limit (Cholesky's is near
+ * 1e7). */
 static bool status_right(gen *g, et_status status, const et_message *message, const problem *c, et_fit *frame)
 {
     static system_ s;
@@ -377,7 +378,8 @@ static bool fit_right(gen *g, problem *c, et_fit *f, et_fit *frame)
     bool ok = same_frame(g, f, frame, c) && gen_check(g, et_shell_valid(&f->shell), "the shell is not valid");
 
     if (ok && c->options.approach != ET_FIT_CONVENTIONAL)
-        ok = gen_check(g, et_shell_closed(&f->shell), "not closed") && gen_check(g, et_seam_gap(&gap, &f->shell, 2) == ET_OK && gap.distance == 0, "a gap");
+        ok = gen_check(g, et_shell_closed(&f->shell), "not closed") &&
+             gen_check(g, et_seam_gap(&gap, &f->shell, 2) == ET_OK && gap.distance == 0, "a gap");
     if (ok && corners_fixed(&c->options))
         ok = corners_stand(g, f, c);
     return ok && optimal(g, c, f);
@@ -445,8 +447,8 @@ verdict prop_fit_make_joint(gen *g)
         for (size_t i = 0; ok && i < s.columns; i++)
             ok = gen_check(g, fabs(P[i].x - s.unknown[i]->x) + fabs(P[i].y - s.unknown[i]->y) + fabs(P[i].z - s.unknown[i]->z) <= 3 * bound,
                            "unknown %zu: not the dense solution's", i);
-    /* Rounding of one residual: both shells' points within 40u of the control net's size (degree 3 twice), here below 2^6: a sum of squares is off by at most
-     * 2 |r| |dr|, with |r| < 2^6 and |dr| < 2^-40 over 52 classes. */
+    /* Rounding of one residual: both shells' points within 40u of the control net's size (degree 3 twice), here below 2^6: a sum of squares is off by
+     * at most 2 |r| |dr|, with |r| < 2^6 and |dr| < 2^-40 over 52 classes. */
     const double least = squares(&c, &joint), slack = 0x1p-26;
     c.options.approach = ET_FIT_IMPROVED;
     c.options.corners = fixed ? ET_CORNERS_INTERPOLATED : ET_CORNERS_FREE;
@@ -482,7 +484,7 @@ verdict prop_fit_make_planted(gen *g)
     bool ok;
 
     draw_options(g, &c);
-    c.options.method = ET_PARAM_UNIFORM;      /* so that the parameters do not depend on the data */
+    c.options.method = ET_PARAM_UNIFORM; /* so that the parameters do not depend on the data */
     c.options.knots = gen_upto(g, 1) ? ET_KNOTRULE_UNIFORM : ET_KNOTRULE_PIEGL;
     memset(c.data, 0, sizeof c.data);
     if (!frame_of(&frame, &c))
@@ -502,7 +504,8 @@ verdict prop_fit_make_planted(gen *g)
     et_fit_free(&frame);
     if (!(inverse < HUGE_VAL) || et_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL) != ET_OK)
         return SKIP;
-    /* Both views share the border: half of each one's share of the sum of squares, so sigma may be less by sqrt 2; a view's right-hand side is at least half of both. */
+    /* Both views share the border: half of each one's share of the sum of squares, so sigma may be less by sqrt 2; a view's right-hand side is at
+     * least half of both. */
     const double bound = 4 * spread_of(&s, 2 * inverse, c.options.algebra) + 64 * ET_UNIT * 8 * inverse * (double)s.rows;
     ok = true;
     et_shell_gather(found, nov, &f.shell);
@@ -547,7 +550,8 @@ static bool moved(gen *g, const problem *c, const et_fit *f, double bound)
     for (size_t w = 0; w < 2; w++)
         for (size_t i = 0; i < c->options.control.nx * c->options.control.ny; i++) {
             const et_vec3 a = f->shell.view[w].points[i], b = h.shell.view[w].points[i], e = {a.x + 4, a.y - 8, a.z + 2};
-            ok = gen_check(g, et_vec3_distance(e, b) <= bound, "moved: control point %zu off by %g, bound %g", i, et_vec3_distance(e, b), bound) && ok;
+            ok =
+                gen_check(g, et_vec3_distance(e, b) <= bound, "moved: control point %zu off by %g, bound %g", i, et_vec3_distance(e, b), bound) && ok;
         }
     et_fit_free(&h);
     return ok;
@@ -571,7 +575,9 @@ static bool turned(gen *g, const problem *c, const et_fit *f, double bound)
     if (!gen_check(g, et_fit_make(&h, d.data, d.nov, d.net, &d.options, NULL) == ET_OK, "turned: not solved"))
         return false;
     for (size_t w = 0; w < 2; w++) {
-        ok = gen_check(g, memcmp(f->s[w], h.r[w], nx * sizeof(double)) == 0 && memcmp(f->r[w], h.s[w], ny * sizeof(double)) == 0, "turned parameters") && ok;
+        ok = gen_check(g, memcmp(f->s[w], h.r[w], nx * sizeof(double)) == 0 && memcmp(f->r[w], h.s[w], ny * sizeof(double)) == 0,
+                       "turned parameters") &&
+             ok;
         for (size_t i = 0; i < kx; i++)
             for (size_t j = 0; j < ky; j++) {
                 const double off = et_vec3_distance(f->shell.view[w].points[i * ky + j], h.shell.view[w].points[j * kx + i]);
@@ -590,7 +596,7 @@ verdict prop_fit_make_symmetry(gen *g)
     double bound = 0;
 
     draw_options(g, &c);
-    draw_pillow(g, &c);                  /* coordinates need few bits, so that moving them is exact: see below */
+    draw_pillow(g, &c); /* coordinates need few bits, so that moving them is exact: see below */
     for (size_t i = 0; i < c.nov; i++)
         c.data[i] = (et_vec3){floor(256 * c.data[i].x) / 256, floor(256 * c.data[i].y) / 256, floor(256 * c.data[i].z) / 256};
     if (et_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL) != ET_OK)
@@ -693,7 +699,7 @@ verdict prop_fit_make_refuses(gen *g)
     ok = refused(g, &c, &good, c.nov + 1, c.net, "classes");
     ok = refused(g, &c, &good, c.nov, (et_doublenet){1, c.net.ny}, "classes") && ok;
     for (size_t k = 0; k < 13; k++) {
-        static const char *const words[] = {"enumeration", "enumeration", "enumeration", "enumeration", "enumeration", "larger", "larger",
+        static const char *const words[] = {"enumeration", "enumeration", "enumeration", "enumeration", "enumeration", "larger",   "larger",
                                             "degrees",     "degrees",     "degrees",     "degrees",     "too small",   "too small"};
         o = good;
         o.approach = k == 0 ? (et_fit_approach)3 : o.approach;
@@ -739,8 +745,9 @@ verdict prop_fit_defaults(gen *g)
 {
     const et_fit_options o = et_fit_defaults();
 
-    return gen_check(g, o.approach == ET_FIT_IMPROVED && o.method == ET_PARAM_CHORD && o.knots == ET_KNOTRULE_PIEGL && o.algebra == ET_LINALG_QR &&
-                            o.corners == ET_CORNERS_DEFAULT && o.p == 3 && o.q == 3 && o.control.nx == 12 && o.control.ny == 12,
+    return gen_check(g,
+                     o.approach == ET_FIT_IMPROVED && o.method == ET_PARAM_CHORD && o.knots == ET_KNOTRULE_PIEGL && o.algebra == ET_LINALG_QR &&
+                         o.corners == ET_CORNERS_DEFAULT && o.p == 3 && o.q == 3 && o.control.nx == 12 && o.control.ny == 12,
                      "the defaults")
                ? PASS
                : FAIL;
@@ -757,8 +764,9 @@ verdict prop_fit_free(gen *g)
     if (et_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL) != ET_OK)
         f = empty;
     et_fit_free(&f);
-    const bool ok = gen_check(g, f.s[0] == NULL && f.s[1] == NULL && f.r[0] == NULL && f.r[1] == NULL && f.shell.view[0].points == NULL &&
-                                     f.shell.view[1].points == NULL && f.data.nx == 0 && f.flat == 0,
+    const bool ok = gen_check(g,
+                              f.s[0] == NULL && f.s[1] == NULL && f.r[0] == NULL && f.r[1] == NULL && f.shell.view[0].points == NULL &&
+                                  f.shell.view[1].points == NULL && f.data.nx == 0 && f.flat == 0,
                               "something is left");
     et_fit_free(&f);
     return ok ? PASS : FAIL;
@@ -795,7 +803,9 @@ verdict prop_fit_parameters(gen *g)
         et_param_standardise(r[0], r[1], c.net.ny);
     }
     for (size_t w = 0; w < 2; w++)
-        ok = gen_check(g, memcmp(s[w], f.s[w], c.net.nx * sizeof(double)) == 0 && memcmp(r[w], f.r[w], c.net.ny * sizeof(double)) == 0, "view %zu", w) && ok;
+        ok = gen_check(g, memcmp(s[w], f.s[w], c.net.nx * sizeof(double)) == 0 && memcmp(r[w], f.r[w], c.net.ny * sizeof(double)) == 0, "view %zu",
+                       w) &&
+             ok;
     ok = gen_check(g, f.flat == flat[0] + flat[1] && f.data.nx == c.net.nx && f.data.ny == c.net.ny && f.shell.view[0].u == NULL, "the rest") && ok;
     et_fit_free(&f);
     return ok ? PASS : FAIL;
@@ -811,7 +821,7 @@ verdict prop_fit_measure(gen *g)
     bool ok;
 
     draw_problem(g, &c);
-    c.options.algebra = ET_LINALG_SVD;   /* never deficient */
+    c.options.algebra = ET_LINALG_SVD; /* never deficient */
     if (et_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL) != ET_OK)
         return FAIL;
     if (et_surface_work(&f.shell.view[0]) > 1024)
@@ -829,7 +839,8 @@ verdict prop_fit_measure(gen *g)
             }
     residual[0] = residual[c.nov] = 9;
     ok = gen_check(g, et_fit_measure(&e, residual, c.nov - 1, &f, c.data) == ET_EINVAL && e.nov == 1 && residual[0] == 9, "bad argument");
-    ok = gen_check(g, et_fit_measure(&e, NULL, c.nov, &f, c.data) == ET_OK && et_fit_measure(&e, residual, c.nov, &f, c.data) == ET_OK, "measured") && ok;
+    ok = gen_check(g, et_fit_measure(&e, NULL, c.nov, &f, c.data) == ET_OK && et_fit_measure(&e, residual, c.nov, &f, c.data) == ET_OK, "measured") &&
+         ok;
     ok = gen_check(g, e.nov == et_real_sum(class, c.nov), "over classes: %a", e.nov) && ok;
     ok = gen_check(g, e.non == et_real_sum(node, 2 * nodes), "over nodes: %a", e.non) && ok;
     ok = gen_check(g, e.greatest == greatest && e.corner == corner, "greatest %a, corner %a", e.greatest, e.corner) && ok;

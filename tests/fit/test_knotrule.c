@@ -144,7 +144,8 @@ verdict prop_knotrule_make(gen *g)
         return FAIL;
     /* The source's rule looks at the first parameters only. */
     if (kind == ET_KNOTRULE_FAITHFUL &&
-        !gen_check(g, et_knotrule_make(v, nu, p, t, control, ET_KNOTRULE_AVERAGING) == ET_OK && memcmp(u, v, nu * sizeof *u) == 0, "first h + 1 only"))
+        !gen_check(g, et_knotrule_make(v, nu, p, t, control, ET_KNOTRULE_AVERAGING) == ET_OK && memcmp(u, v, nu * sizeof *u) == 0,
+                   "first h + 1 only"))
         return FAIL;
     gen_label(g, et_knotrule_name(kind));
     return PASS;

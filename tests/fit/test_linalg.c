@@ -71,8 +71,9 @@ static double norm(const double *A, size_t n)
     return sqrt(sum);
 }
 
-/* A'(A X - B) is zero for the exact solution.  QR and SVD solve a system perturbed by at most c u |A| and c u |B|, c of the order m n (Higham, Accuracy and
- * Stability, theorem 20.3), Cholesky leaves c u |A|^2 |X| likewise; the product A'(AX - B) formed here errs by (m + n)u of the same terms. */
+/* A'(A X - B) is zero for the exact solution.  QR and SVD solve a system perturbed by at most c u |A| and c u |B|, c of the order m n (Higham,
+ * Accuracy and Stability, theorem 20.3), Cholesky leaves c u |A|^2 |X| likewise; the product A'(AX - B) formed here errs by (m + n)u of the same
+ * terms. */
 static bool optimal(gen *g, const double *X, const double *A, size_t m, size_t n, const double *B, size_t k)
 {
     const double c = 16 * (double)((m + n) * (n + 1)) * ET_UNIT, a = norm(A, m * n);
@@ -99,9 +100,9 @@ static bool optimal(gen *g, const double *X, const double *A, size_t m, size_t n
     return true;
 }
 
-/* Least norm: X is orthogonal to A's null space, here for a last column that is a combination z of the others.  The null space of the perturbed matrix
- * turns by at most c u |A| / sigma; sigma, the least non-zero singular value of an integer matrix of rank r, is at least |A|^(1-r) (the product of
- * the non-zero ones is at least 1, being the root of a sum of squared integer minors). */
+/* Least norm: X is orthogonal to A's null space, here for a last column that is a combination z of the others.  The null space of the perturbed
+ * matrix turns by at most c u |A| / sigma; sigma, the least non-zero singular value of an integer matrix of rank r, is at least |A|^(1-r) (the
+ * product of the non-zero ones is at least 1, being the root of a sum of squared integer minors). */
 static bool least_norm(gen *g, const double *X, const double *A, size_t m, size_t n, size_t rank, const double *z, size_t k)
 {
     const double a = norm(A, m * n), bound = 16 * (double)((m + n) * (n + 1)) * ET_UNIT * pow(a, (double)rank) * norm(z, n);
@@ -123,7 +124,8 @@ static bool lsq_refuses(gen *g)
     double X[1] = {3}, A[1] = {1}, B[1] = {1};
     const size_t zero = 0;
     size_t rank = 7;
-    const bool ok = et_linalg_lsq(X, &rank, A, 0, 1, B, 1, ET_LINALG_QR) == ET_EINVAL && et_linalg_lsq(X, &rank, A, 1, 0, B, 1, ET_LINALG_QR) == ET_EINVAL &&
+    const bool ok = et_linalg_lsq(X, &rank, A, 0, 1, B, 1, ET_LINALG_QR) == ET_EINVAL &&
+                    et_linalg_lsq(X, &rank, A, 1, 0, B, 1, ET_LINALG_QR) == ET_EINVAL &&
                     et_linalg_lsq(X, &rank, A, 1, 1, B, 0, ET_LINALG_QR) == ET_EINVAL &&
                     et_linalg_lsq(X, &rank, A, 1, 1, B, 1, (et_linalg_method)3) == ET_EINVAL &&
                     et_linalg_lsq(X, &rank, A, (size_t)1 << 20, (size_t)1 << 20, B, 1, ET_LINALG_QR) == ET_ENOMEM &&
@@ -138,8 +140,8 @@ static bool lsq_refuses(gen *g)
 }
 
 /* What a status says, and how X came out: the same for dense and banded. */
-static bool judged(gen *g, et_status status, size_t rank, size_t exact, const double *X, const double *A, size_t m, size_t n, const double *B, size_t k,
-                   et_linalg_method method)
+static bool judged(gen *g, et_status status, size_t rank, size_t exact, const double *X, const double *A, size_t m, size_t n, const double *B,
+                   size_t k, et_linalg_method method)
 {
     const bool full = exact == n;
 
@@ -180,7 +182,7 @@ verdict prop_linalg_lsq(gen *g)
         return FAIL;
     if (planted && method == ET_LINALG_SVD && exact > 0 && !least_norm(g, X, A, m, n, exact, z, k))
         return FAIL;
-    if (status == ET_OK && exact == n) {       /* A scaled by 2^s: the solution is 2^-s times as large. */
+    if (status == ET_OK && exact == n) { /* A scaled by 2^s: the solution is 2^-s times as large. */
         for (size_t i = 0; i < m * n; i++)
             S[i] = ldexp(A[i], scale);
         status = et_linalg_lsq(X, &rank, S, m, n, B, k, method);
@@ -204,8 +206,8 @@ static void cross(double *G, const double *A, size_t m, size_t n, const double *
         }
 }
 
-/* R'R = A'A and R'C = A'B hold whatever the signs of R's rows.  R and C are exact for A, B perturbed by at most c u (theorem 19.4 of the same book), so each product is within
- * 2 c u |A| |A|, |A| |B|, and C has no more than B's length. */
+/* R'R = A'A and R'C = A'B hold whatever the signs of R's rows.  R and C are exact for A, B perturbed by at most c u (theorem 19.4 of the same book),
+ * so each product is within 2 c u |A| |A|, |A| |B|, and C has no more than B's length. */
 verdict prop_linalg_qr(gen *g)
 {
     const size_t n = gen_between(g, 1, N), m = gen_between(g, n, M), k = gen_upto(g, K);
@@ -280,7 +282,7 @@ verdict prop_linalg_band_lsq_long(gen *g)
     enum { ROWS = 40, COLUMNS = 12 };
     const size_t w = gen_between(g, 2, 4), n = gen_between(g, w, COLUMNS), m = gen_between(g, n, ROWS), k = gen_between(g, 1, K);
     double a[ROWS * 4], A[ROWS * COLUMNS] = {0}, B[ROWS * K], X[COLUMNS * K], Y[COLUMNS * K], I[COLUMNS * COLUMNS] = {0}, V[COLUMNS * COLUMNS],
-        G[COLUMNS * COLUMNS];
+                                 G[COLUMNS * COLUMNS];
     size_t start[ROWS], rank = 0;
 
     for (size_t i = 0; i < m; i++) {

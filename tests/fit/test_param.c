@@ -41,8 +41,8 @@ static bool equal_points(et_vec3 a, et_vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/* Eq. 2.8 as it stands, distances by hypot.  et_param_row: each distance within 3u and, for pow, 2u more (0.8 itself is rounded: 0.1u ln d, |ln d| < 200 for
- * the generator's scales: 20u); sums and quotient (n + 1)u.  Here the same and n u for the recursion: together at most 2 (n + 32) u. */
+/* Eq. 2.8 as it stands, distances by hypot.  et_param_row: each distance within 3u and, for pow, 2u more (0.8 itself is rounded: 0.1u ln d, |ln d| <
+ * 200 for the generator's scales: 20u); sums and quotient (n + 1)u.  Here the same and n u for the recursion: together at most 2 (n + 32) u. */
 static bool agrees(gen *g, const double *t, const et_vec3 *D, size_t n, et_param_method method)
 {
     double d[MOST], L = 0, expect = 0;
@@ -193,8 +193,9 @@ verdict prop_param_grid(gen *g)
     if (gen_chance(g, 3))
         for (size_t i = 1, j = gen_upto(g, ny - 1); i < nx; i++)
             D[i * ny + j] = D[j];
-    if (!gen_check(g, et_param_grid(s, 1, r, ny, &flat, D, method) == ET_EINVAL && et_param_grid(s, nx, r, 1, &flat, D, method) == ET_EINVAL &&
-                          et_param_grid(s, nx, r, ny, &flat, D, (et_param_method)4) == ET_EINVAL && flat == 77 && s[0] == 9 && r[0] == 9,
+    if (!gen_check(g,
+                   et_param_grid(s, 1, r, ny, &flat, D, method) == ET_EINVAL && et_param_grid(s, nx, r, 1, &flat, D, method) == ET_EINVAL &&
+                       et_param_grid(s, nx, r, ny, &flat, D, (et_param_method)4) == ET_EINVAL && flat == 77 && s[0] == 9 && r[0] == 9,
                    "bad arguments"))
         return FAIL;
     if (!gen_check(g, et_param_grid(s, nx, r, ny, &flat, D, method) == ET_OK && is_params(s, nx) && is_params(r, ny), "parameters from 0 to 1") ||

@@ -68,10 +68,14 @@ static double *a_number(gen *g, et_surface *b, bool *border)
 
     *border = i == 0 || j == 0 || i + 1 == b->nu || j + 1 == b->nv;
     switch (gen_upto(g, 3)) {
-    case 0: return &b->points[at].x;
-    case 1: return &b->points[at].y;
-    case 2: return &b->points[at].z;
-    default: return b->weights != NULL ? &b->weights[at] : &b->points[at].x;
+    case 0:
+        return &b->points[at].x;
+    case 1:
+        return &b->points[at].y;
+    case 2:
+        return &b->points[at].z;
+    default:
+        return b->weights != NULL ? &b->weights[at] : &b->points[at].x;
     }
 }
 

@@ -55,7 +55,8 @@ def main():
             row("as_many_as_data", kind, p, control, [F(float(x)) for x in even(n)])
             row("as_many_as_data_crowded", kind, p, control, squares(n))
     for kind in KINDS[:3]:
-        for n, control, p in [(20, 6, 3), (20, 18, 3), (20, 19, 3), (18, 6, 3), (30, 12, 3), (9, 5, 2), (9, 4, 1), (33, 9, 4), (10, 5, 3), (12, 6, 5)]:
+        for n, control, p in [(20, 6, 3), (20, 18, 3), (20, 19, 3), (18, 6, 3), (30, 12, 3), (9, 5, 2), (9, 4, 1), (33, 9, 4), (10, 5, 3),
+                              (12, 6, 5)]:
             row("even", kind, p, control, [F(float(x)) for x in even(n)])
             row("crowded", kind, p, control, squares(n))
         row("coincident", kind, 3, 6, [F(0)] * 5 + [F(1, 2)] * 4 + [F(1)] * 3)

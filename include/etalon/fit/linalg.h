@@ -23,8 +23,8 @@ const char *et_linalg_name(et_linalg_method method);
 /* The least-squares solution X (n x k) of A X = B (B is m x k): QR with a check of R's condition, normal equations with Cholesky, or SVD (least
  * norm when rank deficient: never ET_ERANK).  A and B are not changed.  *rank: the numerical rank found (X and *rank are written together).
  * QR and SVD are backward stable; Cholesky's error grows with the square of A's condition number.
- * ET_ERANK (QR, Cholesky): the reciprocal condition number of R (of A'A) is at most max(m,n) eps, or m < n; then X is unchanged and *rank tells how many
- * diagonal elements of a column-pivoted R exceed max(m,n) eps times the first, at most n - 1.
+ * ET_ERANK (QR, Cholesky): the reciprocal condition number of R (of A'A) is at most max(m,n) eps, or m < n; then X is unchanged and *rank tells how
+ * many diagonal elements of a column-pivoted R exceed max(m,n) eps times the first, at most n - 1.
  * ET_EINVAL: m, n or k is 0, method unknown.  ET_ENOMEM: memory, or sizes past LAPACK's 32 bits.  ET_ENOCONV: SVD.
  * ET_EINTERNAL: entries not finite. */
 /*@ requires valid:     \valid(X + (0 .. n*k - 1)) && \valid(rank);
