@@ -1,6 +1,8 @@
 #include "etalon/refine/de.h"
 #include <string.h>
 
+enum { BLOCK = 8 };                       /* loops of a fixed count become vectors at any level of optimisation */
+
 /* r[0..2]: three individuals different from each other and from i. */
 static void draw_three(size_t r[3], size_t i, size_t population, et_rng *rng)
 {
@@ -12,15 +14,18 @@ static void draw_three(size_t r[3], size_t i, size_t population, et_rng *rng)
 /* y[k] = a[k] + F (b[k] - c[k]) */
 static void mutant(double *restrict y, const double *restrict a, const double *restrict b, const double *restrict c, double F, size_t n)
 {
-    for (size_t k = 0; k < n; k++) y[k] = a[k] + F * (b[k] - c[k]);
+    size_t k = 0;
+    for (; k + BLOCK <= n; k += BLOCK)
+        for (size_t i = 0; i < BLOCK; i++) y[k + i] = a[k + i] + F * (b[k + i] - c[k + i]);
+    for (; k < n; k++) y[k] = a[k] + F * (b[k] - c[k]);
 }
 
 /* Genes not drawn are the target's own; gene `always` is the mutant's whatever was drawn. */
 static void cross(double *y, const double *target, const double *draw, size_t always, double CR, size_t genes, size_t group)
 {
     for (size_t g = 0; g < genes; g++) {
-        const int keep = !(draw[g] < CR) && g != always;
-        for (size_t k = g * group; k < (g + 1) * group; k++) y[k] = keep ? target[k] : y[k];
+        if (draw[g] < CR || g == always) continue;
+        for (size_t k = g * group; k < (g + 1) * group; k++) y[k] = target[k];
     }
 }
 

@@ -1,13 +1,20 @@
 #include "etalon/refine/pso.h"
 #include <string.h>
 
+enum { BLOCK = 8 };                       /* loops of a fixed count become vectors at any level of optimisation */
+
 typedef struct { double K, c1, c2; } coefficients;
 
 /* v = K (v + c1 r1 (own - x) + c2 r2 (all - x)), r1 = r[0..n-1], r2 = r[n..2n-1] */
 static void accelerate(double *restrict v, const double *restrict x, const double *restrict own, const double *restrict all, const double *restrict r,
                        coefficients c, size_t n)
 {
-    for (size_t k = 0; k < n; k++) v[k] = c.K * ((v[k] + c.c1 * r[k] * (own[k] - x[k])) + c.c2 * r[n + k] * (all[k] - x[k]));
+    const double *restrict r2 = r + n;
+    size_t k = 0;
+    for (; k + BLOCK <= n; k += BLOCK)
+        for (size_t i = 0; i < BLOCK; i++)
+            v[k + i] = c.K * ((v[k + i] + c.c1 * r[k + i] * (own[k + i] - x[k + i])) + c.c2 * r2[k + i] * (all[k + i] - x[k + i]));
+    for (; k < n; k++) v[k] = c.K * ((v[k] + c.c1 * r[k] * (own[k] - x[k])) + c.c2 * r2[k] * (all[k] - x[k]));
 }
 
 static void limit(double *v, double vmax, size_t n)

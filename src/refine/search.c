@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { BLOCK = 8 };
+
 et_search_options et_search_defaults(void)
 {
     et_search_options o = { .population = 40, .spread = 5e-6, .box = 5e-6, .group = 1,
@@ -64,15 +66,24 @@ void et_search_draw(double *x, const et_search *search, size_t first, size_t cou
     for (size_t k = 0; k < count; k++) x[k] = search->x0[first + k] + radius * (2.0 * x[k] - 1.0);
 }
 
+static double clamped(double x, double lo, double hi)
+{
+    const double y = x < lo ? lo : x;
+    return y > hi ? hi : y;
+}
+
+/* Loops of a fixed count become vectors at any level of optimisation. */
+static void clamp(double *restrict x, const double *restrict x0, double box, size_t n)
+{
+    size_t k = 0;
+    for (; k + BLOCK <= n; k += BLOCK)
+        for (size_t i = 0; i < BLOCK; i++) x[k + i] = clamped(x[k + i], x0[k + i] - box, x0[k + i] + box);
+    for (; k < n; k++) x[k] = clamped(x[k], x0[k] - box, x0[k] + box);
+}
+
 void et_search_clamp(double *x, const et_search *search)
 {
-    const double box = search->options.box;
-    const double *x0 = search->x0;
-    if (!(box > 0.0)) return;
-    for (size_t k = 0; k < search->n; k++) {
-        const double lo = x0[k] - box, hi = x0[k] + box, y = x[k] < lo ? lo : x[k];
-        x[k] = y > hi ? hi : y;
-    }
+    if (search->options.box > 0.0) clamp(x, search->x0, search->options.box, search->n);
 }
 
 et_status et_search_eval(double *value, et_search *search, const double *x)
