@@ -185,9 +185,9 @@ static void pull_all(training *s)
             pull(s, i, 1, 0, 0, i * ny);
         if (ny - 1 - column < widest)
             pull(s, i, 1, ny - 1, ny - 1, i * ny);
-        if (ny > 2 && s->winner.k != 2)
+        if (s->winner.k != 2)
             pull(s, i, 0, 1, ny - 2, i * ny);
-        if (ny > 2 && s->winner.k != 0)
+        if (s->winner.k != 0)
             pull(s, i, 2, 1, ny - 2, nx * ny + (i - 1) * (ny - 2) - 1);
     }
 }

@@ -5,6 +5,7 @@
 #include "golden.h"
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -53,7 +54,13 @@ verdict prop_primitive_count(gen *g)
     status = et_primitive_count(&n, (et_primitive_kind)(kind % 4), big, 3);
     if (!gen_check(g, (status == ET_ENOMEM) == (cube || kind == 4 || big > (SIZE_MAX - 2) / 3) && (status || n == 3 * big + 2), "%zu overflow", big))
         return FAIL;
-    return gen_check(g, status == ET_OK || n == 77, "unchanged") ? PASS : FAIL;
+    if (!gen_check(g, status == ET_OK || n == 77, "unchanged"))
+        return FAIL;
+    status = et_primitive_count(&n, ET_PRIMITIVE_SPHERE, 1, SIZE_MAX - 2);
+    return gen_check(g, status == ET_OK && n == SIZE_MAX && et_primitive_count(&n, ET_PRIMITIVE_SPHERE, 1, SIZE_MAX - 1) == ET_ENOMEM,
+                     "the greatest count")
+               ? PASS
+               : FAIL;
 }
 
 /* Lattice line i of n: the least whole number of 1e-5 not below i/(n-1). */
