@@ -140,10 +140,14 @@ programs: $(BENCHES)
 peers: $(PEERS)
 $(BENCHES): $(B)/%: $(B)/tests/bench/%.c.o $(B)/tests/bench/bench.c.o $(INPUTO) $(B)/libetalon.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
-$(filter-out %_occt,$(PEERS)): $(B)/%: $(B)/tests/bench/%.c.o $(B)/tests/bench/bench.c.o $(INPUTO)
+$(filter-out %_occt %_pagmo,$(PEERS)): $(B)/%: $(B)/tests/bench/%.c.o $(B)/tests/bench/bench.c.o $(INPUTO)
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(if $(findstring sisl,$@),-lsisl) $(if $(findstring nlopt,$@),-lnlopt) -lgsl -lgslcblas -lm
 $(filter %_occt,$(PEERS)): $(B)/%: tests/bench/%.cpp $(B)/tests/bench/bench.c.o $(INPUTO)
 	$(CXX) $(CXXFLAGS) -isystem /usr/include/opencascade $(LDFLAGS) -o $@ $^ -lTKG3d -lTKG2d -lTKMath -lTKernel
+$(filter %_pagmo,$(PEERS)): $(B)/%: tests/bench/%.cpp $(B)/tests/bench/bench.c.o $(INPUTO)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lpagmo -ltbb -lboost_serialization
+# Yardsticks in plain C are the same in both builds.
+$(B)/tests/bench/peer_som_plain.c.o $(B)/tests/bench/peer_dense.c.o: FLAGS_native = -O2
 
 # Debian's packages; with root (or sudo) they are installed, else named.
 PACKAGES      := gcc g++ libgsl-dev liblapacke-dev libceres-dev libgoogle-glog-dev libeigen3-dev libjansson-dev gnuplot-nox
