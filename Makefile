@@ -157,11 +157,11 @@ deps:
 deps-test:
 	@sh tests/deps.sh $(PACKAGES) $(PACKAGES_TEST)
 demo: deps
-	@$(MAKE) -s $(J) all
+	@$(MAKE) --no-print-directory all
 	@mkdir -p $(BUILD)/demo
 	$(BUILD)/release/etalon generate sphere -o $(BUILD)/demo/sphere.xyz
-	$(BUILD)/release/etalon reconstruct $(BUILD)/demo/sphere.xyz --grid 20x20 --control 12x12 --refine de --seed 1 -o $(BUILD)/demo
-	@echo "The pictures are in $(CURDIR)/$(BUILD)/demo: cloud.png, net.png, surface.png, error.png, convergence.png; start with report.md."
+	$(BUILD)/release/etalon reconstruct $(BUILD)/demo/sphere.xyz --refine ga,de,pso,ceres -o $(BUILD)/demo
+	@echo "The pictures are in $(BUILD)/demo (*.png); $(BUILD)/demo/report.md ties them together, $(BUILD)/demo/surface.igs opens in CAD."
 
 install: all $(B)/etalon.pc
 	install -d $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/man/man1
