@@ -157,7 +157,7 @@ deps:
 deps-test:
 	@sh tests/deps.sh $(PACKAGES) $(PACKAGES_TEST)
 demo: deps
-	@$(MAKE) --no-print-directory all
+	@$(MAKE) -s $(J) all
 	@mkdir -p $(BUILD)/demo
 	$(BUILD)/release/etalon generate sphere -o $(BUILD)/demo/sphere.xyz
 	$(BUILD)/release/etalon reconstruct $(BUILD)/demo/sphere.xyz --refine ga,de,pso,ceres -o $(BUILD)/demo
