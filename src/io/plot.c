@@ -117,16 +117,19 @@ static et_status finish(canvas *c, et_message *message)
     return et_file_commit(&c->file, message);
 }
 
-/* 'text' with quotes doubled, and blanks for what would end the line: whatever it is, gnuplot shows it and does not obey it. */
+/* "text" with everything gnuplot might obey (quotes, backslash, backquote, @) in octal, and blanks for what would end the line. */
 static void put_text(FILE *script, const char *text)
 {
-    fputc('\'', script);
+    fputc('"', script);
     for (const char *t = text ? text : ""; *t; t++) {
-        if (*t == '\'')
-            fputc('\'', script);
-        fputc((unsigned char)*t < ' ' || *t == 0x7f ? ' ' : *t, script);
+        const unsigned char c = (unsigned char)*t;
+
+        if (strchr("\"'\\`@$", c))
+            fprintf(script, "\\%03o", c);
+        else
+            fputc(c < ' ' || c == 0x7f ? ' ' : c, script);
     }
-    fputc('\'', script);
+    fputc('"', script);
 }
 
 static void put_title(FILE *script, const char *command, const char *title)
@@ -148,7 +151,7 @@ static void set_space(FILE *script)
           "set xlabel 'x'\nset ylabel 'y'\nset zlabel 'z'\n"
           "set ticslevel 0.06\n"
           "set xtics nomirror\nset ytics nomirror\nset ztics nomirror\n"
-          "set grid x y z lc rgb '#dddddd'\n",
+          "set grid x y lt 1 lc rgb '#cccccc'\n",
           script);
 }
 
@@ -450,6 +453,7 @@ static void plot_curves(FILE *script, const et_plot_curve *curves, size_t n)
 et_status et_plot_history(const char *path, const et_plot_curve *curves, size_t n, const char *title, et_message *message)
 {
     double lo, hi;
+    size_t most = 1;
     canvas c;
     et_status status;
 
@@ -461,11 +465,14 @@ et_status et_plot_history(const char *path, const et_plot_curve *curves, size_t 
     for (size_t k = 0; k < n; k++)
         put_curve(c.script, &curves[k], k);
     put_title(c.script, "set title", title);
-    fputs("set xlabel 'step'\nset ylabel 'value'\nset grid lc rgb '#dddddd'\nset key outside below center horizontal noenhanced\n"
-          "set tics nomirror out\nset format y '%.6g'\nset lmargin 16\nset xrange [0:*]\n",
+    fputs("set xlabel 'step'\nset ylabel 'value'\nset grid lt 1 lc rgb '#cccccc'\nset key outside below center horizontal noenhanced\n"
+          "set tics nomirror out\nset format y '%.6g'\nset lmargin 16\nset bmargin 7\n",
           c.script);
+    for (size_t k = 0; k < n; k++)
+        most = curves[k].count > most ? curves[k].count : most;
+    fprintf(c.script, "set xrange [0:%zu]\n", most);
     if (lo > 0 && hi > 5 * lo)
-        fputs("set logscale y\nset format y '%.0e'\n", c.script);
+        fputs("set logscale y\nset format y '%g'\n", c.script);
     else if (hi > lo)
         fprintf(c.script, "set yrange [%.17g:%.17g]\n", lo - 0.04 * (hi - lo), hi + 0.06 * (hi - lo));
     else
