@@ -146,12 +146,13 @@ static verdict picture(gen *g, kind what)
     char path[256];
     scene s = {0};
     et_message message = {""};
+    const bool drawn = gen_chance(g, RARE);
     const char *const title = titles[gen_upto(g, 6)];
     const bool wide = what == NET || what == ERRORS;
     bool ok = some_scene(g, &s);
 
     remove(some_path(path, ".png"));
-    if (gen_chance(g, RARE)) {
+    if (drawn) {
         ok = ok && gen_check(g, draw(what, path, &s, title, &message) == ET_OK, "not drawn: %s", message.text);
         ok = ok && png_is(g, path, wide ? 1600 : 1200, wide ? 800 : 900);
     } else if (gen_chance(g, 50)) {
