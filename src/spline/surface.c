@@ -222,7 +222,7 @@ void et_surface_ders(et_vec3 D[6], const et_surface *s, double u, double v, doub
 
 /* ---- many points ---- */
 
-enum { CELLS = 1024, BLOCK = 64 };
+enum { CELLS = 512, BLOCK = 32 };
 
 /* The span of many parameters: the domain is cut into equal cells; first[c] is a span that begins before every parameter of cell c. */
 typedef struct {
@@ -259,22 +259,6 @@ static void finder_init(finder *f, const double *u, size_t nu, size_t p, size_t 
     }
 }
 
-/* et_knots_span(u, nu, p, x) for x in the domain. */
-static size_t find(const finder *f, double x)
-{
-    if (!f->tabled) {
-        return et_knots_span(f->u, f->nu, f->p, x);
-    }
-    if (!(x < f->hi)) {
-        return f->last;
-    }
-    size_t k = f->first[cell(f, x)];
-    while (f->u[k + 1] <= x) {
-        k++;
-    }
-    return k;
-}
-
 /* The cubic functions of BLOCK parameters at once: knot distances, and values N[r][k] of the r-th function at the k-th parameter. */
 typedef struct {
     size_t span[BLOCK];
@@ -288,26 +272,50 @@ static double clamp(double x, double lo, double hi)
     return x < lo ? lo : x > hi ? hi : x;
 }
 
+/* The spans of BLOCK parameters of the domain: et_knots_span for each, from the cells where there is a table. */
+static void spans(size_t *restrict span, const finder *restrict f, const double *restrict t)
+{
+    int c[BLOCK];
+    for (size_t k = 0; !f->tabled && k < BLOCK; k++) {
+        span[k] = et_knots_span(f->u, f->nu, f->p, t[k]);
+    }
+    if (!f->tabled) {
+        return;
+    }
+    for (size_t k = 0; k < BLOCK; k++) {
+        c[k] = cell(f, t[k]);
+    }
+    for (size_t k = 0; k < BLOCK; k++) {
+        size_t i = f->first[c[k]];
+        while (f->u[i + 1] <= t[k] && i < f->last) {
+            i++;
+        }
+        span[k] = i;
+    }
+}
+
 /* Parameters 0..n-1; the rest of the block repeats the last. */
-static void cubics_distances(cubics *c, const finder *f, const double *x, size_t n)
+static void cubics_distances(cubics *restrict c, const finder *restrict f, const double *restrict x, size_t n)
 {
     double t[BLOCK];
+    for (size_t k = 0; k < BLOCK; k++) {
+        t[k] = x[k < n ? k : n - 1];
+    }
+    for (size_t k = 0; k < BLOCK; k++) {
+        t[k] = clamp(t[k], f->lo, f->hi);
+    }
+    spans(c->span, f, t);
     c->ends = 0;
     for (size_t k = 0; k < BLOCK; k++) {
-        t[k] = clamp(x[k < n ? k : n - 1], f->lo, f->hi);
-        c->span[k] = find(f, t[k]);
-    }
-    for (size_t k = 0; k < BLOCK; k++) {
         const double *u = f->u + c->span[k];
+        double L3 = t[k] - u[-2], R3 = u[3] - t[k];
         c->L1[k] = t[k] - u[0];
         c->L2[k] = t[k] - u[-1];
-        c->L3[k] = t[k] - u[-2];
+        c->L3[k] = L3;
         c->R1[k] = u[1] - t[k];
         c->R2[k] = u[2] - t[k];
-        c->R3[k] = u[3] - t[k];
-    }
-    for (size_t k = 0; k < BLOCK; k++) {
-        c->ends |= (c->L3[k] == 0.0) | (c->R3[k] == 0.0);
+        c->R3[k] = R3;
+        c->ends |= (L3 == 0.0) | (R3 == 0.0);
     }
 }
 
@@ -338,33 +346,29 @@ static void cubics_values(cubics *c)
     }
 }
 
-/* What contract_u and contract_v do for 4 x 4 polynomial terms, in three passes over a block; memory between them, so that a compiler may take
- * four coordinates at a time: the twelve coordinates of a row of the net lie side by side. */
-typedef struct { double T[12 * BLOCK + 4], S[4 * BLOCK]; } bicubics;
+/* What contract_u and contract_v do for 4 x 4 polynomial terms, in two passes over a block, so that a compiler may take several coordinates at a
+ * time: the twelve coordinates of a row of the net lie side by side. */
+typedef struct { double T[BLOCK][12]; } bicubics;
 
-static void bicubics_columns(bicubics *restrict b, const et_vec3 *restrict net, size_t nv, const cubics *restrict u, const cubics *restrict v, size_t n)
+static void bicubics_columns(bicubics *restrict b, const et_vec3 *restrict net, size_t nv, const cubics *restrict u, const cubics *restrict v)
 {
     size_t step = 3 * nv;
-    for (size_t k = 0; k < n; k++) {
+    for (size_t k = 0; k < BLOCK; k++) {
         const double *P = &net[(u->span[k] - 3) * nv + v->span[k] - 3].x;
         double N0 = u->N[0][k], N1 = u->N[1][k], N2 = u->N[2][k], N3 = u->N[3][k];
-        double *T = b->T + 12 * k;
         for (size_t c = 0; c < 12; c++) {
-            T[c] = N0 * P[c] + N1 * P[step + c] + N2 * P[2 * step + c] + N3 * P[3 * step + c];
+            b->T[k][c] = N0 * P[c] + N1 * P[step + c] + N2 * P[2 * step + c] + N3 * P[3 * step + c];
         }
     }
 }
 
-/* The fourth coordinate is the next point's and is dropped. */
-static void bicubics_sums(bicubics *restrict b, const cubics *restrict v, size_t n)
+static void bicubics_sums(et_vec3 *restrict S, const bicubics *restrict b, const cubics *restrict v, size_t n)
 {
     for (size_t k = 0; k < n; k++) {
-        const double *T = b->T + 12 * k;
+        const double *T = b->T[k];
         double M0 = v->N[0][k], M1 = v->N[1][k], M2 = v->N[2][k], M3 = v->N[3][k];
-        double *S = b->S + 4 * k;
-        for (size_t c = 0; c < 4; c++) {
-            S[c] = M0 * T[c] + M1 * T[c + 3] + M2 * T[c + 6] + M3 * T[c + 9];
-        }
+        S[k] = (et_vec3){M0 * T[0] + M1 * T[3] + M2 * T[6] + M3 * T[9], M0 * T[1] + M1 * T[4] + M2 * T[7] + M3 * T[10],
+                         M0 * T[2] + M1 * T[5] + M2 * T[8] + M3 * T[11]};
     }
 }
 
@@ -372,18 +376,14 @@ static void points_bicubic(et_vec3 *S, const et_surface *s, const finder *fu, co
 {
     cubics cu, cv;
     bicubics b;
-    b.T[12 * BLOCK] = 0.0;
     for (size_t from = 0; from < n; from += BLOCK) {
         size_t m = n - from < BLOCK ? n - from : BLOCK;
         cubics_distances(&cu, fu, u + from, m);
         cubics_distances(&cv, fv, v + from, m);
         cubics_values(&cu);
         cubics_values(&cv);
-        bicubics_columns(&b, s->points, s->nv, &cu, &cv, m);
-        bicubics_sums(&b, &cv, m);
-        for (size_t k = 0; k < m; k++) {
-            S[from + k] = (et_vec3){b.S[4 * k], b.S[4 * k + 1], b.S[4 * k + 2]};
-        }
+        bicubics_columns(&b, s->points, s->nv, &cu, &cv);
+        bicubics_sums(S + from, &b, &cv, m);
     }
 }
 

@@ -34,7 +34,7 @@ verdict prop_status_exit(gen *g)
 
 verdict prop_status_fail(gen *g)
 {
-    et_message m;
+    et_message m, empty = {"x"};
     char want[3 * ET_MESSAGE_SIZE], word[2 * ET_MESSAGE_SIZE];
     et_status status = (et_status)gen_upto(g, STATUSES - 1);
     size_t n = gen_chance(g, 4) ? ET_MESSAGE_SIZE - 8 + (size_t)gen_upto(g, 16) : (size_t)gen_upto(g, 2 * ET_MESSAGE_SIZE - 1);
@@ -45,6 +45,7 @@ verdict prop_status_fail(gen *g)
     memset(&m, 0x5a, sizeof m);
     bool ok = gen_check(g, et_status_fail(NULL, status, "%s:%u", word, number) == status, "another status without a message");
     ok = ok && gen_check(g, et_status_fail(&m, status, "%s:%u", word, number) == status, "another status");
+    ok = ok && gen_check(g, et_status_fail(&empty, status, "%s", "") == status && empty.text[0] == '\0', "an empty sentence");
     if (length >= ET_MESSAGE_SIZE) {
         gen_label(g, "cut");
         want[ET_MESSAGE_SIZE - 1] = '\0';
