@@ -516,6 +516,56 @@ verdict prop_fit_make_planted(gen *g)
     return ok ? PASS : FAIL;
 }
 
+/* The same at sizes beyond every block, tile and strip inside; conditions are those of the two directions, multiplied. */
+verdict prop_fit_make_planted_large(gen *g)
+{
+    enum { NX = 40, NY = 24, CX = 24, CY = 20 };
+    const et_doublenet net = {gen_between(g, 17, NX), gen_between(g, 3, NY)};
+    et_fit_options o = et_fit_defaults();
+    static et_vec3 data[2 * NX * NY], planted[2 * CX * CY], found[2 * CX * CY];
+    double A[NX * CX], d2 = 0;
+    et_fit frame, f;
+    bool ok = true;
+
+    o.control = (et_doublenet){gen_between(g, 4, net.nx < CX ? net.nx : CX), gen_between(g, 2, net.ny < CY ? net.ny : CY)};
+    o.q = o.control.ny > 3 ? 3 : o.control.ny - 1;
+    o.approach = (et_fit_approach)gen_upto(g, 2);
+    o.algebra = o.approach == ET_FIT_JOINT ? ET_LINALG_QR : (et_linalg_method)gen_upto(g, 1);
+    o.method = ET_PARAM_UNIFORM;
+    const size_t nov = et_doublenet_nov(net), knov = et_doublenet_nov(o.control);
+    memset(data, 0, sizeof data);
+    if (et_fit_make(&frame, data, nov, net, &o, NULL) != ET_OK)
+        return FAIL;
+    for (size_t i = 0; i < knov; i++)
+        planted[i] = (et_vec3){(double)((i * 7) % 17) - 8, (double)gen_upto(g, 16) - 8, (double)((i * i) % 13) - 8};
+    et_shell_scatter(&frame.shell, planted, knov);
+    for (size_t w = 2; w-- > 0;) {
+        static et_vec3 S[NX * NY];
+        et_surface_grid(S, &frame.shell.view[w], frame.s[w], net.nx, frame.r[w], net.ny);
+        for (size_t i = 0; i < net.nx * net.ny; i++) {
+            data[et_doublenet_class(net, w, i / net.ny, i % net.ny) - 1] = S[i];
+            d2 += S[i].x * S[i].x + S[i].y * S[i].y + S[i].z * S[i].z;
+        }
+    }
+    basis_matrix(A, frame.s[0], net.nx, frame.shell.view[0].u, o.control.nx, o.p);
+    double inverse = inverse_norm(A, net.nx, o.control.nx), condition = inverse * norm(A, net.nx * o.control.nx);
+    basis_matrix(A, frame.r[0], net.ny, frame.shell.view[0].v, o.control.ny, o.q);
+    const double across = inverse_norm(A, net.ny, o.control.ny);
+    condition *= across * norm(A, net.ny * o.control.ny);
+    inverse *= 2 * across;
+    et_fit_free(&frame);
+    if (!(inverse < HUGE_VAL) || et_fit_make(&f, data, nov, net, &o, NULL) != ET_OK)
+        return SKIP;
+    const double c = 64 * (double)((net.nx + 8) * (net.ny + 8)) * ET_UNIT;
+    const double bound = c * (1 + condition) * (o.algebra == ET_LINALG_CHOLESKY ? 1 + condition : 1) * inverse * sqrt(d2);
+    et_shell_gather(found, knov, &f.shell);
+    for (size_t i = 0; ok && i < knov; i++)
+        ok = gen_check(g, et_vec3_distance(planted[i], found[i]) <= bound, "class %zu is off by %g, bound %g", i + 1,
+                       et_vec3_distance(planted[i], found[i]), bound);
+    et_fit_free(&f);
+    return ok ? PASS : FAIL;
+}
+
 /* ---- scaled, moved, turned data ---- */
 
 static bool scaled(gen *g, const problem *c, const et_fit *f, int k)
