@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """golden/de.tsv: rand/1/bin of the header, written anew on Python's floats.  python3 tests/golden/de.py > golden/de.tsv"""
-from search import SHARED, head, rows
+from search import SHARED, at_the_edge, head, rows
 
 
 def other_than(s, taken):
@@ -35,6 +35,9 @@ CASES = SHARED + [
     ('F_0', dict(n=4, F=0.0, generations=8, population=6)),
     ('F_negative', dict(n=4, F=-0.5, generations=8, population=6)),
     ('F_2', dict(n=4, F=2.0, box=0.25, generations=8, population=6)),
+    at_the_edge(step, 'CR', 0, n=6, seed=2, population=6),
+    at_the_edge(step, 'CR', 3, n=6, seed=3, population=6),
+    at_the_edge(step, 'CR', 8, n=6, seed=4, population=6),
     ('table_6.1', dict(n=30, group=3, population=40, spread=5e-6, box=5e-6, generations=30)),
 ]
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """golden/ga.tsv: the genetic algorithm of the header, written anew on Python's floats.  python3 tests/golden/ga.py > golden/ga.tsv"""
-from search import SHARED, head, rows
+from search import SHARED, at_the_edge, head, rows
 
 
 def tournament(s):
@@ -43,6 +43,10 @@ CASES = SHARED + [
     ('mutate_without_a_box', dict(n=9, group=3, mutation=1.0, box=0.0, generations=25, population=6)),
     ('tournament_of_one', dict(n=4, tournament=1, mutation=0.5, generations=25, population=6)),
     ('tournament_of_twelve', dict(n=4, tournament=12, mutation=0.5, generations=25, population=6)),
+    at_the_edge(step, 'crossover', 0, n=6, crossover=1.0, spread=1.0),
+    *(at_the_edge(step, 'swap', k, n=3, crossover=1.0, tournament=1, seed=seed) for k in (1, 2) for seed in (5, 6, 7, 8)),
+    at_the_edge(step, 'mutation', 1, n=6, crossover=0.0, mutation=0.0, seed=2),
+    at_the_edge(step, 'mutation', 2, n=6, crossover=0.0, mutation=0.0, seed=3),
     ('table_6.1', dict(n=30, group=3, population=40, spread=5e-6, box=5e-6, generations=200)),
 ]
 

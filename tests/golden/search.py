@@ -16,6 +16,7 @@ class Rng:
             s = (1812433253 * (s ^ (s >> 30)) + i) % 2**32
             self.mt.append(s)
         self.draws = 0
+        self.log = []                                        # (draw, value) of every uniform
 
     def word(self):
         mt, k = self.mt, self.draws % 624
@@ -32,7 +33,9 @@ class Rng:
         return y
 
     def uniform(self):
-        return self.word() / 2.0**32
+        u = self.word() / 2.0**32
+        self.log.append((self.draws - 1, u))
+        return u
 
     def index(self, n):
         """Lemire 2019: the high word of word * n, drawn again while the low word is below 2^32 mod n."""
@@ -101,6 +104,14 @@ def rows(function, step, cases):
         for _ in range(s.o['generations']):
             step(s)
         s.row(function, reason)
+
+
+def at_the_edge(step, name, k, **options):
+    """A case whose probability `name` is the very number drawn as the k-th uniform after the start: strictly less must not hold."""
+    s = Search(**options)
+    start = len(s.rng.log)
+    step(s)
+    return ('%s_met_exactly_by_draw_%d' % (name, k), dict(options, **{name: s.rng.log[start + k][1]}))
 
 
 # Cases every algorithm runs.
