@@ -530,7 +530,6 @@ verdict prop_fit_make_planted_large(gen *g)
     o.control = (et_doublenet){gen_between(g, 4, net.nx < CX ? net.nx : CX), gen_between(g, 2, net.ny < CY ? net.ny : CY)};
     o.q = o.control.ny > 3 ? 3 : o.control.ny - 1;
     o.approach = (et_fit_approach)gen_upto(g, 2);
-    o.algebra = o.approach == ET_FIT_JOINT ? ET_LINALG_QR : (et_linalg_method)gen_upto(g, 1);
     o.method = ET_PARAM_UNIFORM;
     const size_t nov = et_doublenet_nov(net), knov = et_doublenet_nov(o.control);
     memset(data, 0, sizeof data);
@@ -538,6 +537,7 @@ verdict prop_fit_make_planted_large(gen *g)
         return FAIL;
     for (size_t i = 0; i < knov; i++)
         planted[i] = (et_vec3){(double)((i * 7) % 17) - 8, (double)gen_upto(g, 16) - 8, (double)((i * i) % 13) - 8};
+    o.algebra = o.approach == ET_FIT_JOINT ? ET_LINALG_QR : (et_linalg_method)gen_upto(g, 1);
     et_shell_scatter(&frame.shell, planted, knov);
     for (size_t w = 2; w-- > 0;) {
         static et_vec3 S[NX * NY];
