@@ -19,7 +19,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { RUNS = 1000, SECONDS = 240, SHRINK_CALLS = 100000, PATH = 1024 };
+enum { RUNS = 1000, SECONDS = 240, SHRINK_CALLS = 100000, AT_ONCE = 4, PATH = 1024 };
 
 /* Shared by parent and child: what a crash leaves behind. */
 typedef struct {
@@ -31,9 +31,18 @@ typedef struct {
     double spent;
 } board;
 
-typedef struct { const property *p; board *b; uint64_t seed; size_t runs; const uint8_t *bytes; size_t nbytes; const char *path; } job;
+typedef struct {
+    const property *p;
+    board *b;
+    pid_t child;
+    uint64_t seed;
+    size_t runs;
+    const uint8_t *bytes;
+    size_t nbytes;
+    const char *path;
+} job;
 
-static board *shared;
+static board *shared;                    /* AT_ONCE of them */
 static bool verbose;
 static unsigned seconds;                 /* a property may take, ET_SECONDS */
 static size_t passed, failed;
@@ -51,24 +60,32 @@ static board *share(size_t size)
     return m == MAP_FAILED ? NULL : m;
 }
 
-/* Do the work in a child; its wait status. A child that ends well has set done. */
-static int apart(void (*work)(job *j), job *j, unsigned limit)
+/* Do the work in a child.  A child that ends well has set done. */
+static void start(void (*work)(job *j), job *j, unsigned limit)
 {
-    int status = -1;
-    pid_t child;
-
     j->b->done = false;
     fflush(stdout);
-    child = fork();
-    if (child == 0) {
+    j->child = fork();
+    if (j->child == 0) {
         alarm(limit);
         work(j);
         j->b->done = true;
         exit(0);
     }
-    if (child < 0 || waitpid(child, &status, 0) != child)
-        return -1;
-    return status;
+}
+
+/* The child's wait status. */
+static int await(const job *j)
+{
+    int status = -1;
+
+    return j->child > 0 && waitpid(j->child, &status, 0) == j->child ? status : -1;
+}
+
+static int apart(void (*work)(job *j), job *j, unsigned limit)
+{
+    start(work, j, limit);
+    return await(j);
 }
 
 static const char *ending(const board *b, int status)
@@ -214,28 +231,32 @@ static void tell_labels(const board *b)
         printf("  %5.1f %% %s\n", 100.0 * (double)b->g.labels[i].cases / (double)b->runs, b->g.labels[i].text);
 }
 
-static void random_property(const property *p, uint64_t seed, size_t runs)
+static void start_property(job *j)
 {
-    job j = { .p = p, .b = shared, .seed = seed, .runs = runs };
-    const char *how;
+    clear_board(j->b);
+    start(work_random, j, seconds);
+}
 
-    clear_board(shared);
-    how = ending(shared, apart(work_random, &j, seconds));
-    if (how || shared->result == FAIL) {
+static void finish_property(job *j)
+{
+    board *b = j->b;
+    const char *how = ending(b, await(j));
+
+    if (how || b->result == FAIL) {
         failed++;
-        printf("FAIL %s seed %llu case %zu%s%s\n", p->name, (unsigned long long)seed, shared->runs, how ? ": " : "", how ? how : "");
-        report(&j, how, true);
-    } else if (shared->skipped * 10 > shared->runs * 9) {
+        printf("FAIL %s seed %llu case %zu%s%s\n", j->p->name, (unsigned long long)j->seed, b->runs, how ? ": " : "", how ? how : "");
+        report(j, how, true);
+    } else if (b->skipped * 10 > b->runs * 9) {
         failed++;
-        printf("FAIL %s skips %zu of %zu cases\n", p->name, shared->skipped, shared->runs);
+        printf("FAIL %s skips %zu of %zu cases\n", j->p->name, b->skipped, b->runs);
     } else {
         passed++;
-        printf("ok %s %zu cases, %zu skipped", p->name, shared->runs, shared->skipped);
+        printf("ok %s %zu cases, %zu skipped", j->p->name, b->runs, b->skipped);
         if (verbose)
-            printf(", %.3f s", shared->spent);
+            printf(", %.3f s", b->spent);
         putchar('\n');
         if (verbose)
-            tell_labels(shared);
+            tell_labels(b);
     }
 }
 
@@ -351,6 +372,9 @@ static bool belongs(const char *name, const char *wanted)
 
 static void random_all(char **names, size_t n, uint64_t seed, size_t runs)
 {
+    job jobs[AT_ONCE];
+    size_t begun = 0;
+
     for (size_t i = 0; i < n; i++) {
         bool known = false;
         for (const property *p = properties; p->name; p++)
@@ -359,13 +383,21 @@ static void random_all(char **names, size_t n, uint64_t seed, size_t runs)
         if (!known)
             printf("FAIL %s: no property of this name\n", names[i]);
     }
+    /* A few at once; told in their order. */
     for (const property *p = properties; p->name; p++) {
         bool wanted = n == 0;
         for (size_t i = 0; i < n; i++)
             wanted |= belongs(p->name, names[i]);
-        if (wanted)
-            random_property(p, seed, runs);
+        if (!wanted)
+            continue;
+        if (begun >= AT_ONCE)
+            finish_property(&jobs[begun % AT_ONCE]);
+        jobs[begun % AT_ONCE] = (job){ .p = p, .b = shared + begun % AT_ONCE, .seed = seed, .runs = runs };
+        start_property(&jobs[begun % AT_ONCE]);
+        begun++;
     }
+    for (size_t i = begun < AT_ONCE ? 0 : begun - AT_ONCE; i < begun; i++)
+        finish_property(&jobs[i % AT_ONCE]);
 }
 
 static unsigned long long setting(const char *name, unsigned long long usual)
@@ -421,7 +453,7 @@ int main(int argc, char **argv)
     seconds = (unsigned)setting("ET_SECONDS", SECONDS);
     snprintf(program_dir, sizeof program_dir, "%.*s", (int)(strrchr(argv[0], '/') ? strrchr(argv[0], '/') - argv[0] : 1),
              strrchr(argv[0], '/') ? argv[0] : ".");
-    shared = share(sizeof *shared);
+    shared = share(AT_ONCE * sizeof *shared);
     if (!shared)
         return perror("check: shared memory"), 2;
     for (; i < argc && argv[i][0] == '-' && argv[i][1] != '-'; i++)
