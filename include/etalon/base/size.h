@@ -3,6 +3,7 @@
 #define ETALON_BASE_SIZE_H
 #include "etalon/base/status.h"
 #include <stddef.h>
+#include <stdint.h>
 #ifdef __cplusplus
 extern "C" {
 #endif

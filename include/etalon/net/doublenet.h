@@ -30,13 +30,13 @@ enum { ET_BOTTOM = 0, ET_TOP = 1 };
     predicate et_net_inside(integer nx, integer ny, integer i, integer j) = 0 <= i < nx && 0 <= j < ny;
 
     predicate et_index_ok(integer nx, integer ny, integer i, integer j, integer k) =
-        et_net_inside(nx, ny, i, j) && (et_net_border(nx, ny, i, j) ? k == 1 : (k == 0 || k == 2));
+        et_net_inside(nx, ny, i, j) && (et_net_border(nx, ny, i, j) ==> k == 1) && (!et_net_border(nx, ny, i, j) ==> k == 0 || k == 2);
 
     logic integer et_class_of(integer nx, integer ny, integer i, integer j, integer k) =
         k <= 1 ? i*ny + j + 1 : nx*ny + (i - 1)*(ny - 2) + (j - 1) + 1;
 
     logic integer et_level_of(integer nx, integer ny, integer view, integer i, integer j) =
-        et_net_border(nx, ny, i, j) ? 1 : 2*view;
+        i == 0 || i == nx - 1 || j == 0 || j == ny - 1 ? 1 : 2*view;
 
     logic integer et_absdiff(integer a, integer b) = a < b ? b - a : a - b;
 */
