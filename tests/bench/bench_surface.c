@@ -35,7 +35,14 @@ static double total(const job *j, size_t n)
     return et_real_sum(&j->S[0].x, 3 * n);
 }
 
-static int table(const char *item, const char *size, double ours, double sum, const char *const *peer, const double *goal, size_t n)
+/* The first peer is the one the goal is about: three times, and eight in the native build. */
+static double goal(size_t k)
+{
+    const char *bin = getenv("BENCH_BIN");
+    return k > 0 ? 0.0 : bin && strstr(bin, "native") ? 8.0 : 3.0;
+}
+
+static int table(const char *item, const char *size, double ours, double sum, const char *const *peer, size_t n)
 {
     static const char *const interpreter[] = {"", "/usr/bin/python3 "};
     const char *bin = getenv("BENCH_BIN"), *src = getenv("BENCH_SRC");
@@ -49,7 +56,7 @@ static int table(const char *item, const char *size, double ours, double sum, co
             bench_skip(item, size, peer[k]);
             continue;
         }
-        met &= bench_row(item, size, r.version, r.seconds, ours, goal[k], fabs(r.residual - sum) / fabs(sum));
+        met &= bench_row(item, size, r.version, r.seconds, ours, goal(k), fabs(r.residual - sum) / fabs(sum));
     }
     return met;
 }
@@ -75,7 +82,6 @@ int main(void)
 {
     static const char *const peers1[] = {"peer_gsl_surface", "peer_sisl_surface", "peer_textbook_surface", "peer_occt"};
     static const char *const peers2[] = {"peer_scipy_surface.py", "peer_occt", "peer_textbook_surface"};
-    static const double goals1[] = {3.0, 0.0, 0.0, 0.0}, goals2[] = {3.0, 0.0, 0.0};
     job j = {.n = 0};
     if (!setup(&j) || !(j.u = surface_input_random(j.n, 0)) || !(j.v = surface_input_random(j.n, 1))) {
         fputs("bench_surface: out of memory\n", stderr);
@@ -83,7 +89,7 @@ int main(void)
     }
     bench_head();
     double seconds = bench_min(points, &j, 5, NULL) / (double)j.n;
-    int met = table("surface_points", "20x20,1e7", seconds, total(&j, j.n), peers1, goals1, 4);
+    int met = table("surface_points", "20x20,1e7", seconds, total(&j, j.n), peers1, 4);
     free(j.u);
     free(j.v);
     j.v = NULL;
@@ -92,7 +98,7 @@ int main(void)
     }
     j.n = (size_t)INPUT_GRID * INPUT_GRID;
     seconds = bench_min(grid, &j, 20, NULL) / (double)j.n;
-    met &= table("surface_grid", "20x20,1000^2", seconds, total(&j, j.n), peers2, goals2, 3);
+    met &= table("surface_grid", "20x20,1000^2", seconds, total(&j, j.n), peers2, 3);
     printf("ours: %.3g ns a point on the grid; goals %s\n", 1e9 * seconds, met ? "met" : "NOT met");
     free(j.u);
     free(j.S);

@@ -398,13 +398,13 @@ verdict prop_surface_ders(gen *g)
 /* Lengths around blocks and tables; most parameters are made, not drawn, and some drawn ones are hard. */
 verdict prop_surface_points(gen *g)
 {
-    static double u[POINTS], v[POINTS];
-    static et_vec3 S[POINTS + 1];
     et_surface s;
     if (!draw(g, &s, true)) {
         return SKIP;
     }
     size_t n = gen_chance(g, 8) ? 1023 + (size_t)gen_upto(g, 80) : (size_t)gen_upto(g, 150);
+    double *u = malloc(n * sizeof *u + 1), *v = malloc(n * sizeof *v + 1);      /* not a double more: the sanitizer watches the ends */
+    et_vec3 *S = malloc((n + 1) * sizeof *S);
     uint64_t seed = gen_upto(g, UINT64_MAX);
     double lou = s.u[s.p], hiu = s.u[s.nu], lov = s.v[s.q], hiv = s.v[s.nv], *work = room(&s);
     for (size_t k = 0; k < n; k++) {
@@ -425,6 +425,9 @@ verdict prop_surface_points(gen *g)
         ok = gen_check(g, same_point(S[k], P), "point %zu of %zu, (%a, %a): %a for %a", k, n, u[k], v[k], S[k].x, P.x);
     }
     free(work);
+    free(u);
+    free(v);
+    free(S);
     et_surface_free(&s);
     return ok ? PASS : FAIL;
 }
