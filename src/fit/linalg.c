@@ -90,36 +90,6 @@ static et_status deficient(size_t *rank, const double *A, size_t m, size_t n)
     return ET_ERANK;
 }
 
-/* A (column-major m x n) becomes R and reflectors, C (column-major m x k) becomes Q'C. */
-static et_status factor_qr(double *A, double *C, size_t m, size_t n, size_t k)
-{
-    double *tau = et_size_array(n, sizeof *tau);
-    lapack_int info;
-
-    if (tau == NULL)
-        return ET_ENOMEM;
-    info = LAPACKE_dgeqrf(LAPACK_COL_MAJOR, (lapack_int)m, (lapack_int)n, A, (lapack_int)m, tau);
-    if (info == 0 && k > 0)
-        info = LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', 'T', (lapack_int)m, (lapack_int)k, (lapack_int)n, A, (lapack_int)m, tau, C, (lapack_int)m);
-    free(tau);
-    return status_of(info);
-}
-
-static et_status solve_qr(double *A, double *C, size_t m, size_t n, size_t k, int *lost)
-{
-    et_status status = factor_qr(A, C, m, n, k);
-    double rcond = 0;
-
-    if (status == ET_OK)
-        status = status_of(LAPACKE_dtrcon(LAPACK_COL_MAJOR, '1', 'U', 'N', (lapack_int)n, A, (lapack_int)m, &rcond));
-    if (status != ET_OK)
-        return status;
-    *lost = singular(rcond, m);
-    if (*lost)
-        return ET_ERANK;
-    return status_of(LAPACKE_dtrtrs(LAPACK_COL_MAJOR, 'U', 'N', 'N', (lapack_int)n, (lapack_int)k, A, (lapack_int)m, C, (lapack_int)m));
-}
-
 /* G = A'A and H = A'B, row-major; each entry a sum of m products in order of the rows. */
 static void normal_equations(double *G, double *H, const double *A, size_t m, size_t n, const double *B, size_t k)
 {
@@ -161,23 +131,6 @@ static et_status solve_cholesky(double *G, double *H, size_t m, size_t n, size_t
     if (*lost)
         return ET_ERANK;
     return status_of(LAPACKE_dpotrs(LAPACK_COL_MAJOR, 'L', (lapack_int)n, (lapack_int)k, G, (lapack_int)n, H, (lapack_int)n));
-}
-
-static et_status lsq_qr(double *X, size_t *rank, const double *A, size_t m, size_t n, const double *B, size_t k)
-{
-    double *Q = by_columns(A, m, n, m), *C = by_columns(B, m, k, m);
-    et_status status = Q == NULL || C == NULL ? ET_ENOMEM : ET_ERANK;
-    int lost = 1;
-
-    if (status != ET_ENOMEM && m >= n)
-        status = solve_qr(Q, C, m, n, k, &lost);
-    if (status == ET_OK) {
-        by_rows(X, C, m, n, k);
-        *rank = n;
-    }
-    free(Q);
-    free(C);
-    return status == ET_ERANK ? deficient(rank, A, m, n) : status;
 }
 
 static et_status lsq_cholesky(double *X, size_t *rank, const double *A, size_t m, size_t n, const double *B, size_t k)
@@ -224,43 +177,6 @@ static et_status lsq_svd(double *X, size_t *rank, const double *A, size_t m, siz
     return status;
 }
 
-et_status et_linalg_lsq(double *X, size_t *rank, const double *A, size_t m, size_t n, const double *B, size_t k, et_linalg_method method)
-{
-    if (m < 1 || n < 1 || k < 1 || et_linalg_name(method) == NULL)
-        return ET_EINVAL;
-    if (!fits(m, n) || !fits(m < n ? n : m, k))
-        return ET_ENOMEM;
-    if (method == ET_LINALG_QR)
-        return lsq_qr(X, rank, A, m, n, B, k);
-    if (method == ET_LINALG_CHOLESKY)
-        return lsq_cholesky(X, rank, A, m, n, B, k);
-    return lsq_svd(X, rank, A, m, n, B, k);
-}
-
-et_status et_linalg_qr(double *R, double *C, const double *A, size_t m, size_t n, const double *B, size_t k)
-{
-    double *Q, *E;
-    et_status status = ET_ENOMEM;
-
-    if (n < 1 || m < n)
-        return ET_EINVAL;
-    if (!fits(m, n) || !fits(m, k))
-        return ET_ENOMEM;
-    Q = by_columns(A, m, n, m);
-    E = by_columns(B, m, k, m);
-    if (Q != NULL && E != NULL)
-        status = factor_qr(Q, E, m, n, k);
-    if (status == ET_OK) {
-        for (size_t i = 0; i < n; i++)
-            for (size_t j = 0; j < n; j++)
-                R[i * n + j] = j < i ? 0 : Q[j * m + i];
-        by_rows(C, E, m, n, k);
-    }
-    free(Q);
-    free(E);
-    return status;
-}
-
 /* ---- banded least squares ----
  *
  * Rows of equal start form a block of t rows in w columns.  QR in the order of the blocks (sequential Householder accumulation): a block is put
@@ -271,9 +187,9 @@ et_status et_linalg_qr(double *R, double *C, const double *A, size_t m, size_t n
 enum { STRIP = 64 }; /* columns treated together: their w accumulators stay in the first cache */
 
 typedef struct {
-    double *R;       /* R[i*w + c] = R(i, i+c) */
-    double *top, *q; /* top[s*w*w + ...] for the block that starts at column s; q[i*w + c] */
-    double *v, *tau; /* of one block: reflector c's bottom part at v[c*m + ...] */
+    double *R;              /* R[i*w + c] = R(i, i+c) */
+    double *top, *q;        /* top[s*w*w + ...] for the block that starts at column s; q[i*w + c] */
+    double *v, *tau, *dots; /* of one block of t rows: reflector c's bottom part at v[c*t + ...] */
 } band;
 
 static void band_free(band *f)
@@ -283,18 +199,20 @@ static void band_free(band *f)
     free(f->q);
     free(f->v);
     free(f->tau);
+    free(f->dots);
 }
 
 static et_status band_new(band *f, size_t m, size_t n, size_t w)
 {
-    if (!fits(m, w) || !fits(n, w) || !fits(n * w, w))
+    if (!fits(m, w) || !fits(n, w) || !fits(w, w) || !fits((n - w + 1), w * w))
         return ET_ENOMEM;
     f->R = et_size_array(n * w, sizeof *f->R);
-    f->top = et_size_array(n * w * w, sizeof *f->top);
+    f->top = et_size_array((n - w + 1) * w * w, sizeof *f->top);
     f->q = et_size_array(m * w, sizeof *f->q);
     f->v = et_size_array(m * w, sizeof *f->v);
     f->tau = et_size_array(w, sizeof *f->tau);
-    if (f->R != NULL && f->top != NULL && f->q != NULL && f->v != NULL && f->tau != NULL)
+    f->dots = et_size_array(w, sizeof *f->dots);
+    if (f->R != NULL && f->top != NULL && f->q != NULL && f->v != NULL && f->tau != NULL && f->dots != NULL)
         return ET_OK;
     band_free(f);
     return ET_ENOMEM;
@@ -320,6 +238,19 @@ static double reflector(double *tau, double alpha, double *v, size_t t)
     return beta;
 }
 
+/* dots = first + v'M, the rows of M (t x w) taken in order so that memory is read along rows; then M -= v dots'. */
+static void reflect(double *M, const double *v, double tau, double *dots, size_t from, size_t to, size_t t, size_t w)
+{
+    for (size_t i = 0; i < t; i++)
+        for (size_t e = from; e < to; e++)
+            dots[e] += v[i] * M[i * w + e];
+    for (size_t e = from; e < to; e++)
+        dots[e] *= tau;
+    for (size_t i = 0; i < t; i++)
+        for (size_t e = from; e < to; e++)
+            M[i * w + e] -= v[i] * dots[e];
+}
+
 /* Triangularise one block: M (t x w, overwritten) under rows s .. s+w-1 of R. */
 static void eliminate(band *f, double *M, size_t s, size_t t, size_t w)
 {
@@ -328,15 +259,11 @@ static void eliminate(band *f, double *M, size_t s, size_t t, size_t w)
         for (size_t i = 0; i < t; i++)
             v[i] = M[i * w + c];
         row[0] = reflector(&f->tau[c], row[0], v, t);
-        for (size_t e = c + 1; e < w; e++) {
-            double dot = row[e - c];
-            for (size_t i = 0; i < t; i++)
-                dot += v[i] * M[i * w + e];
-            dot *= f->tau[c];
-            row[e - c] -= dot;
-            for (size_t i = 0; i < t; i++)
-                M[i * w + e] -= dot * v[i];
-        }
+        for (size_t e = c + 1; e < w; e++)
+            f->dots[e] = row[e - c];
+        reflect(M, v, f->tau[c], f->dots, c + 1, w, t, w);
+        for (size_t e = c + 1; e < w; e++)
+            row[e - c] -= f->dots[e];
     }
 }
 
@@ -347,16 +274,11 @@ static void form(band *f, double *top, double *q, size_t t, size_t w)
     for (size_t c = 0; c < w; c++)
         top[c * w + c] = 1;
     for (size_t c = w; c-- > 0;) {
-        const double *v = f->v + c * t;
-        for (size_t r = 0; r < w; r++) {
-            double dot = top[r * w + c];
-            for (size_t i = 0; i < t; i++)
-                dot += q[i * w + r] * v[i];
-            dot *= f->tau[c];
-            top[r * w + c] -= dot;
-            for (size_t i = 0; i < t; i++)
-                q[i * w + r] -= dot * v[i];
-        }
+        for (size_t r = 0; r < w; r++)
+            f->dots[r] = top[r * w + c];
+        reflect(q, f->v + c * t, f->tau[c], f->dots, 0, w, t, w);
+        for (size_t r = 0; r < w; r++)
+            top[r * w + c] -= f->dots[r];
     }
 }
 
@@ -490,17 +412,23 @@ static void band_back(double *C, const double *R, size_t n, size_t w, size_t k, 
     }
 }
 
-/* X (n x k, zero on entry) = the solution, a strip of columns at a time while it is in the cache.  work: w * STRIP doubles. */
+/* One strip of C (zero on entry) becomes Q'B, or A'B for normal equations.  work: w * STRIP doubles. */
+static void band_project(double *C, const band *f, const size_t *start, size_t m, size_t w, const double *B, size_t k, size_t width, double *work)
+{
+    for (size_t i = 0, end; i < m; i = end) {
+        const size_t s = start[i];
+        end = block_end(start, m, i);
+        project_block(C + s * k, f->top + s * w * w, f->q + i * w, w, B + i * k, k, end - i, width, work);
+    }
+}
+
+/* X (n x k, zero on entry) = the solution, a strip of columns at a time while it is in the cache. */
 static void band_solve(double *X, const band *f, const size_t *start, size_t m, size_t n, size_t w, const double *B, size_t k, int normal,
                        double *work)
 {
     for (size_t x = 0; x < k; x += STRIP) {
         const size_t width = k - x < STRIP ? k - x : STRIP;
-        for (size_t i = 0, end; i < m; i = end) {
-            const size_t s = start[i];
-            end = block_end(start, m, i);
-            project_block(X + s * k + x, f->top + s * w * w, f->q + i * w, w, B + i * k + x, k, end - i, width, work);
-        }
+        band_project(X + x, f, start, m, w, B + x, k, width, work);
         if (normal)
             band_forward(X + x, f->R, n, w, k, width);
         band_back(X + x, f->R, n, w, k, width);
@@ -515,19 +443,6 @@ static double *dense(const double *a, const size_t *start, size_t m, size_t n, s
         for (size_t i = 0; i < m; i++)
             memcpy(A + i * n + start[i], a + i * w, w * sizeof *a);
     return A;
-}
-
-/* What the band methods cannot do or need not do fast: least norm, and the rank of a deficient matrix. */
-static et_status by_dense(double *X, size_t *rank, const double *a, const size_t *start, size_t m, size_t n, size_t w, const double *B, size_t k)
-{
-    double *A = dense(a, start, m, n, w);
-    et_status status;
-
-    if (A == NULL)
-        return ET_ENOMEM;
-    status = B != NULL ? et_linalg_lsq(X, rank, A, m, n, B, k, ET_LINALG_SVD) : deficient(rank, A, m, n);
-    free(A);
-    return status;
 }
 
 static et_status band_factor(band *f, const double *a, const size_t *start, size_t m, size_t n, size_t w, et_linalg_method method)
@@ -554,21 +469,18 @@ static int band_valid(const size_t *start, size_t m, size_t n, size_t w)
     return 1;
 }
 
-et_status et_linalg_band_lsq(double *X, size_t *rank, const double *a, const size_t *start, size_t m, size_t n, size_t w, const double *B, size_t k,
-                             et_linalg_method method)
+/* ET_ERANK without the rank, X and *rank untouched. */
+static et_status solve_banded(double *X, size_t *rank, const double *a, const size_t *start, size_t m, size_t n, size_t w, const double *B, size_t k,
+                              et_linalg_method method)
 {
-    double *work;
+    double *work = et_size_array(w, STRIP * sizeof *work);
     band f;
-    et_status status;
+    et_status status = band_new(&f, m, n, w);
 
-    if (m < 1 || w < 1 || n < w || k < 1 || et_linalg_name(method) == NULL || !band_valid(start, m, n, w))
-        return ET_EINVAL;
-    if (method == ET_LINALG_SVD)
-        return by_dense(X, rank, a, start, m, n, w, B, k);
-    status = band_new(&f, m, n, w);
-    if (status != ET_OK)
+    if (status != ET_OK) {
+        free(work);
         return status;
-    work = et_size_array(w, STRIP * sizeof *work);
+    }
     status = work == NULL ? ET_ENOMEM : band_factor(&f, a, start, m, n, w, method);
     if (status == ET_OK) {
         memset(X, 0, n * k * sizeof *X);
@@ -577,5 +489,87 @@ et_status et_linalg_band_lsq(double *X, size_t *rank, const double *a, const siz
     }
     free(work);
     band_free(&f);
+    return status;
+}
+
+/* Dense QR is the band of one block and of full width: our own arithmetic, so that bits depend neither on the BLAS nor on its threads. */
+static et_status lsq_qr(double *X, size_t *rank, const double *A, size_t m, size_t n, const double *B, size_t k)
+{
+    size_t *start = et_size_array(m, sizeof *start);
+    const et_status status = start == NULL ? ET_ENOMEM : solve_banded(X, rank, A, start, m, n, n, B, k, ET_LINALG_QR);
+
+    free(start);
+    return status == ET_ERANK ? deficient(rank, A, m, n) : status;
+}
+
+et_status et_linalg_lsq(double *X, size_t *rank, const double *A, size_t m, size_t n, const double *B, size_t k, et_linalg_method method)
+{
+    if (m < 1 || n < 1 || k < 1 || et_linalg_name(method) == NULL)
+        return ET_EINVAL;
+    if (!fits(m, n) || !fits(m < n ? n : m, k))
+        return ET_ENOMEM;
+    if (method == ET_LINALG_QR)
+        return lsq_qr(X, rank, A, m, n, B, k);
+    if (method == ET_LINALG_CHOLESKY)
+        return lsq_cholesky(X, rank, A, m, n, B, k);
+    return lsq_svd(X, rank, A, m, n, B, k);
+}
+
+et_status et_linalg_qr(double *R, double *C, const double *A, size_t m, size_t n, const double *B, size_t k)
+{
+    size_t *start;
+    double *work;
+    band f;
+    et_status status;
+
+    if (n < 1 || m < n)
+        return ET_EINVAL;
+    if (!fits(m, n) || !fits(m, k))
+        return ET_ENOMEM;
+    status = band_new(&f, m, n, n);
+    if (status != ET_OK)
+        return status;
+    start = et_size_array(m, sizeof *start);
+    work = et_size_array(n, STRIP * sizeof *work);
+    status = start == NULL || work == NULL ? ET_ENOMEM : ET_OK;
+    if (status == ET_OK) {
+        band_qr(&f, A, start, m, n);
+        for (size_t i = 0; i < n; i++)
+            for (size_t j = 0; j < n; j++)
+                R[i * n + j] = j < i ? 0 : f.R[i * n + j - i];
+        if (k > 0)
+            memset(C, 0, n * k * sizeof *C);
+        for (size_t x = 0; x < k; x += STRIP)
+            band_project(C + x, &f, start, m, n, B + x, k, k - x < STRIP ? k - x : STRIP, work);
+    }
+    free(start);
+    free(work);
+    band_free(&f);
+    return status;
+}
+
+/* What the band methods cannot do or need not do fast: least norm, and the rank of a deficient matrix. */
+static et_status by_dense(double *X, size_t *rank, const double *a, const size_t *start, size_t m, size_t n, size_t w, const double *B, size_t k)
+{
+    double *A = dense(a, start, m, n, w);
+    et_status status;
+
+    if (A == NULL)
+        return ET_ENOMEM;
+    status = B != NULL ? et_linalg_lsq(X, rank, A, m, n, B, k, ET_LINALG_SVD) : deficient(rank, A, m, n);
+    free(A);
+    return status;
+}
+
+et_status et_linalg_band_lsq(double *X, size_t *rank, const double *a, const size_t *start, size_t m, size_t n, size_t w, const double *B, size_t k,
+                             et_linalg_method method)
+{
+    et_status status;
+
+    if (m < 1 || w < 1 || n < w || k < 1 || et_linalg_name(method) == NULL || !band_valid(start, m, n, w))
+        return ET_EINVAL;
+    if (method == ET_LINALG_SVD)
+        return by_dense(X, rank, a, start, m, n, w, B, k);
+    status = solve_banded(X, rank, a, start, m, n, w, B, k, method);
     return status == ET_ERANK ? by_dense(X, rank, a, start, m, n, w, NULL, 0) : status;
 }

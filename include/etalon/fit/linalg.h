@@ -14,15 +14,15 @@ typedef enum { ET_LINALG_QR = 0, ET_LINALG_CHOLESKY, ET_LINALG_SVD } et_linalg_m
 */
 
 /* "qr", "cholesky", "svd"; null past the last. */
-/*@ assigns \nothing;
-    ensures known:   et_linalg_known(method) ==> \valid_read(\result);
+/*@ assigns \result \from method;
+    ensures known:   et_linalg_known(method) ==> valid_read_string(\result);
     ensures unknown: !et_linalg_known(method) ==> \result == \null;
 */
 const char *et_linalg_name(et_linalg_method method);
 
 /* The least-squares solution X (n x k) of A X = B (B is m x k): QR with a check of R's condition, normal equations with Cholesky, or SVD (least
  * norm when rank deficient: never ET_ERANK).  A and B are not changed.  *rank: the numerical rank found (X and *rank are written together).
- * QR and SVD are backward stable; Cholesky's error grows with the square of A's condition number.
+ * QR (own code: bits depend on no BLAS) and SVD are backward stable; Cholesky's error grows with the square of A's condition number.
  * ET_ERANK (QR, Cholesky): the reciprocal condition number of R (of A'A) is at most max(m,n) eps, or m < n; then X is unchanged and *rank tells how
  * many diagonal elements of a column-pivoted R exceed max(m,n) eps times the first, at most n - 1.
  * ET_EINVAL: m, n or k is 0, method unknown.  ET_ENOMEM: memory, or sizes past LAPACK's 32 bits.  ET_ENOCONV: SVD.
@@ -41,6 +41,7 @@ const char *et_linalg_name(et_linalg_method method);
 et_status et_linalg_lsq(double *X, size_t *rank, const double *A, size_t m, size_t n, const double *B, size_t k, et_linalg_method method);
 
 /* A = Q R: R (n x n, upper triangular, zeros below) and C = first n rows of Q'B (n x k; k = 0 is allowed).  Rank is not judged: R may be singular.
+ * Own code too.
  * ET_EINVAL: n < 1 or m < n.  ET_ENOMEM, ET_EINTERNAL as above. */
 /*@ requires valid:     \valid(R + (0 .. n*n - 1)) && \valid(C + (0 .. n*k - 1));
     requires finite:    et_reals(A, m*n) && et_reals(B, m*k);
