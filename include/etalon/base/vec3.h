@@ -12,7 +12,7 @@ typedef struct { double x, y, z; } et_vec3;
  * overflow and underflow of the squares: a difference's rounding counts once under the root, a square's half, two additions, and the root itself. */
 /*@ requires finite: \is_finite(a.x) && \is_finite(a.y) && \is_finite(a.z) && \is_finite(b.x) && \is_finite(b.y) && \is_finite(b.z);
     assigns  \nothing;
-    ensures  range:  \result >= 0.0;
+    ensures  range:  \is_plus_infinity(\result) || \result >= 0.0;
 */
 double et_vec3_distance(et_vec3 a, et_vec3 b);
 
