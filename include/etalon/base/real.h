@@ -31,19 +31,19 @@ double et_real_sum(const double *x, size_t n);
 
 /* e^x. */
 /*@ assigns \nothing;
-    ensures one: x == 0.0 ==> \result == 1.0;
+    ensures one: \is_finite(x) && x == 0.0 ==> \result == 1.0;
 */
 double et_real_exp(double x);
 
 /* The natural logarithm; -infinity at 0, NaN below. */
 /*@ assigns \nothing;
-    ensures zero: x == 1.0 ==> \result == 0.0;
+    ensures zero: \is_finite(x) && x == 1.0 ==> \result == 0.0;
 */
 double et_real_log(double x);
 
 /* x^y; 1 for y == 0, exact where the result is a double and the C library's error is below 1/2 ulp. */
 /*@ assigns \nothing;
-    ensures one: y == 0.0 ==> \result == 1.0;
+    ensures one: \is_finite(y) && y == 0.0 ==> \result == 1.0;
 */
 double et_real_pow(double x, double y);
 
