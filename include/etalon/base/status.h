@@ -6,6 +6,7 @@
  */
 #ifndef ETALON_BASE_STATUS_H
 #define ETALON_BASE_STATUS_H
+#include <string.h>
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -28,8 +29,8 @@ typedef struct { char text[ET_MESSAGE_SIZE]; } et_message;
 
 /* A short English phrase for a status; never null, "unknown status" for values outside the enumeration.
  * Golden: none (wording, not a computed value). */
-/*@ assigns \nothing;
-    ensures text: \valid_read(\result) && \result[0] != 0;
+/*@ assigns \result \from status;
+    ensures text: valid_read_string(\result) && \result[0] != 0;
 */
 const char *et_status_text(et_status status);
 
@@ -44,7 +45,7 @@ int et_status_exit(et_status status);
 /* Write a formatted sentence (printf's rules, cut at ET_MESSAGE_SIZE - 1 bytes) into message unless it is null; return status.
  * Golden: none (the text is the C library's printf). */
 /*@ requires message: message == \null || \valid(message);
-    requires format:  \valid_read(format);
+    requires format:  valid_read_string(format);
     assigns  message->text[0 .. ET_MESSAGE_SIZE - 1];
     ensures  status:  \result == status;
 */
