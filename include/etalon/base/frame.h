@@ -18,9 +18,9 @@ typedef struct { et_vec3 offset, scale; } et_frame;
 
 /* "box", "uniform", "none"; null past the last.
  * Golden: none (names). */
-/*@ assigns \nothing;
-    ensures known: ET_FRAME_BOX <= kind <= ET_FRAME_NONE ==> \valid_read(\result);
-    ensures past:  kind > ET_FRAME_NONE ==> \result == \null;
+/*@ assigns \result \from kind;
+    ensures known: ET_FRAME_BOX <= kind <= ET_FRAME_NONE ==> valid_read_string(\result);
+    ensures past:  !(ET_FRAME_BOX <= kind <= ET_FRAME_NONE) ==> \result == \null;
 */
 const char *et_frame_name(et_frame_kind kind);
 
