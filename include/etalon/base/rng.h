@@ -25,7 +25,7 @@ uint64_t et_rng_stream(uint64_t seed, uint64_t k);
  * Golden: none (a handle; its numbers are those of et_rng_uniform). */
 /*@ requires rng:  \valid(rng);
     assigns  *rng;
-    ensures  made: \result == ET_OK ==> *rng != \null;
+    ensures  made: \result == ET_OK ==> \valid(*rng);
     ensures  kept: \result != ET_OK ==> \result == ET_ENOMEM && *rng == \old(*rng);
 */
 et_status et_rng_new(et_rng **rng, uint64_t seed);
@@ -34,6 +34,7 @@ et_status et_rng_new(et_rng **rng, uint64_t seed);
  * Golden: none (no value). */
 /*@ requires rng: rng == \null || \valid(rng);
     assigns  \nothing;
+    frees    rng;
 */
 void et_rng_free(et_rng *rng);
 
