@@ -18,7 +18,7 @@ typedef struct { et_task_fn step; void *context; } et_task;
  * Golden: none (the caller's function decides). */
 /*@ requires task: task == \null || \valid_read(task);
     requires done: done <= total;
-    ensures  none: task == \null ==> \result == ET_OK;
+    ensures  none: \old(task == \null || task->step == \null) ==> \result == ET_OK;
 */
 et_status et_task_step(const et_task *task, size_t done, size_t total);
 
