@@ -30,6 +30,8 @@ size_t et_basis_work(size_t p, size_t d);
     requires span:   p <= span <= nu - p - 2 && u[span] < u[span + 1];
     requires finite: \is_finite(x) && \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
     requires sorted: \forall integer i, j; 0 <= i <= j < nu ==> u[i] <= u[j];
+    requires spread: \is_finite((double)(u[nu - 1] - u[0])) &&
+                     \forall integer i; 0 < i < nu && u[i - 1] < u[i] ==> u[i] - u[i - 1] >= 0x1p-1022;
     requires room:   nwork >= 2 * (p + 1) && \valid(work + (0 .. nwork - 1));
     requires apart:  \separated(N + (0 .. p), u + (0 .. nu - 1), work + (0 .. nwork - 1));
     assigns  N[0 .. p], work[0 .. nwork - 1];
@@ -49,6 +51,8 @@ void et_basis_eval(double *N, const double *u, size_t nu, size_t p, size_t span,
     requires span:   p <= span <= nu - p - 2 && u[span] < u[span + 1];
     requires finite: \is_finite(x) && \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
     requires sorted: \forall integer i, j; 0 <= i <= j < nu ==> u[i] <= u[j];
+    requires spread: \is_finite((double)(u[nu - 1] - u[0])) &&
+                     \forall integer i; 0 < i < nu && u[i - 1] < u[i] ==> u[i] - u[i - 1] >= 0x1p-1022;
     requires room:   nwork >= (p + 1) * (p + 5) && \valid(work + (0 .. nwork - 1));
     requires apart:  \separated(D + (0 .. (d + 1) * (p + 1) - 1), u + (0 .. nu - 1), work + (0 .. nwork - 1));
     assigns  D[0 .. (d + 1) * (p + 1) - 1], work[0 .. nwork - 1];
