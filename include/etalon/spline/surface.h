@@ -15,6 +15,7 @@
 #include "etalon/base/status.h"
 #include "etalon/base/vec3.h"
 #include <stddef.h>
+#include <stdint.h>
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -29,14 +30,34 @@ typedef struct {
     double *weights;
 } et_surface;
 
+/*@ predicate et_surface_stored(et_surface *s) =
+        \valid_read(s->u + (0 .. s->nu + s->p)) && \valid_read(s->v + (0 .. s->nv + s->q)) &&
+        \valid_read(s->points + (0 .. s->nu * s->nv - 1)) && (s->weights == \null || \valid_read(s->weights + (0 .. s->nu * s->nv - 1)));
+
+    predicate et_surface_readable(et_surface *s) = s->u == \null || s->v == \null || s->points == \null || et_surface_stored(s);
+
+    predicate et_surface_domain(double *t, integer last, integer p) =
+        t[p] < t[last - p] && \is_finite((double)(t[last] - t[0])) && (\forall integer i; 0 <= i <= last ==> \is_finite(t[i])) &&
+        (\forall integer i, j; 0 <= i <= j <= last ==> t[i] <= t[j]) &&
+        (\forall integer i; 0 < i <= last && t[i - 1] < t[i] ==> t[i] - t[i - 1] >= 0x1p-1022);
+
+    predicate et_surface_ok(et_surface *s) =
+        et_surface_stored(s) && s->nu > s->p && s->nv > s->q &&
+        et_surface_domain(s->u, s->nu + s->p, s->p) && et_surface_domain(s->v, s->nv + s->q, s->q) &&
+        (\forall integer i; 0 <= i < s->nu * s->nv ==>
+            \is_finite(s->points[i].x) && \is_finite(s->points[i].y) && \is_finite(s->points[i].z) &&
+            (s->weights == \null || (\is_finite(s->weights[i]) && s->weights[i] > 0)));
+
+    logic integer et_surface_room(et_surface *s) =
+        3*(s->p + 1) + 15*(s->q + 1) + \max((s->p + 1)*(s->p + 5), (s->q + 1)*(s->q + 5));
+*/
+
 /* 1 if knots are valid (et_knots_valid), control points finite, weights null or finite and positive; else 0.  A zeroed struct is not valid. */
 /*@ requires s:       \valid_read(s);
-    requires storage: s->u == \null || s->v == \null || s->points == \null ||
-                      (\valid_read(s->u + (0 .. s->nu + s->p)) && \valid_read(s->v + (0 .. s->nv + s->q)) &&
-                       \valid_read(s->points + (0 .. s->nu * s->nv - 1)));
+    requires storage: et_surface_readable(s);
     assigns  \nothing;
     ensures  flag:    \result == 0 || \result == 1;
-    ensures  sizes:   \result == 1 ==> s->nu > s->p && s->nv > s->q;
+    ensures  valid:   \result == 1 ==> et_surface_ok(s);
 */
 int et_surface_valid(const et_surface *s);
 
@@ -48,6 +69,8 @@ int et_surface_valid(const et_surface *s);
     ensures  sizes: \result == ET_OK ==> s->p == p && s->q == q && s->nu == nu && s->nv == nv;
     ensures  made:  \result == ET_OK ==> \valid(s->u + (0 .. nu + p)) && \valid(s->v + (0 .. nv + q)) && \valid(s->points + (0 .. nu * nv - 1));
     ensures  kind:  \result == ET_OK ==> (s->weights == \null <==> rational == 0);
+    ensures  ones:  \result == ET_OK && rational != 0 ==> \valid(s->weights + (0 .. nu * nv - 1)) &&
+                        \forall integer i; 0 <= i < nu * nv ==> s->weights[i] == 1.0;
     ensures  few:   nu <= p || nv <= q ==> \result == ET_EINVAL;
     ensures  kept:  \result != ET_OK ==> *s == \old(*s);
 */
@@ -56,7 +79,7 @@ et_status et_surface_new(et_surface *s, size_t p, size_t q, size_t nu, size_t nv
 /* A copy with storage of its own.  ET_EINVAL (sizes as in et_surface_new), ET_ENOMEM.
  * Golden: none (a copy). */
 /*@ requires copy:  \valid(copy);
-    requires s:     \valid_read(s);
+    requires s:     \valid_read(s) && et_surface_stored(s);
     requires apart: \separated(copy, s);
     assigns  *copy;
     ensures  sizes: \result == ET_OK ==> copy->p == s->p && copy->q == s->q && copy->nu == s->nu && copy->nv == s->nv;
@@ -75,45 +98,45 @@ void et_surface_free(et_surface *s);
 
 /* Doubles of workspace for every call below.
  * Golden: none (a size that only has to suffice). */
-/*@ requires s:    \valid_read(s);
+/*@ requires s:    \valid_read(s) && et_surface_room(s) <= SIZE_MAX;
     assigns  \nothing;
-    ensures  room: \result >= 1;
+    ensures  room: \result >= et_surface_room(s);
 */
 size_t et_surface_work(const et_surface *s);
 
 /* One point (A3.5, A4.3).  At the four corners of a clamped polynomial surface the corner control point exactly (a zero may change its sign);
  * with weights fl(fl(w x) / w), which is x for w a power of two and else within two roundings of it. */
-/*@ requires s:      \valid_read(s);
+/*@ requires s:      \valid_read(s) && et_surface_ok(s);
     requires finite: \is_finite(u) && \is_finite(v);
-    requires room:   \valid(work + (0 .. nwork - 1));
+    requires room:   nwork >= et_surface_room(s) && \valid(work + (0 .. nwork - 1));
     assigns  work[0 .. nwork - 1];
 */
 et_vec3 et_surface_point(const et_surface *s, double u, double v, double *work, size_t nwork);
 
 /* D[0] = S, D[1] = S_u, D[2] = S_v, D[3] = S_uu, D[4] = S_uv, D[5] = S_vv (A3.6, A4.4, Eq. 4.20).  D[0] has the bits of et_surface_point;
  * at inner knots the derivatives are those from the right (et_basis_ders). */
-/*@ requires s:      \valid_read(s);
+/*@ requires s:      \valid_read(s) && et_surface_ok(s);
     requires D:      \valid(D + (0 .. 5));
     requires finite: \is_finite(u) && \is_finite(v);
-    requires room:   \valid(work + (0 .. nwork - 1));
+    requires room:   nwork >= et_surface_room(s) && \valid(work + (0 .. nwork - 1));
     requires apart:  \separated(D + (0 .. 5), work + (0 .. nwork - 1));
     assigns  D[0 .. 5], work[0 .. nwork - 1];
 */
 void et_surface_ders(et_vec3 D[6], const et_surface *s, double u, double v, double *work, size_t nwork);
 
 /* n points at (u[k], v[k]); the same bits as n calls of et_surface_point. */
-/*@ requires s:      \valid_read(s);
+/*@ requires s:      \valid_read(s) && et_surface_ok(s);
     requires S:      \valid(S + (0 .. n - 1));
     requires uv:     \valid_read(u + (0 .. n - 1)) && \valid_read(v + (0 .. n - 1));
     requires finite: \forall integer k; 0 <= k < n ==> \is_finite(u[k]) && \is_finite(v[k]);
-    requires room:   \valid(work + (0 .. nwork - 1));
+    requires room:   nwork >= et_surface_room(s) && \valid(work + (0 .. nwork - 1));
     requires apart:  \separated(S + (0 .. n - 1), u + (0 .. n - 1), work + (0 .. nwork - 1)) && \separated(S + (0 .. n - 1), v + (0 .. n - 1));
     assigns  S[0 .. n - 1], work[0 .. nwork - 1];
 */
 void et_surface_points(et_vec3 *S, const et_surface *s, const double *u, const double *v, size_t n, double *work, size_t nwork);
 
 /* S[i*nb + j] = S(a[i], b[j]); the same bits as et_surface_point.  Allocates what it needs to reuse basis values and column sums: ET_ENOMEM. */
-/*@ requires s:      \valid_read(s);
+/*@ requires s:      \valid_read(s) && et_surface_ok(s);
     requires S:      \valid(S + (0 .. na * nb - 1));
     requires ab:     \valid_read(a + (0 .. na - 1)) && \valid_read(b + (0 .. nb - 1));
     requires finite: (\forall integer i; 0 <= i < na ==> \is_finite(a[i])) && (\forall integer j; 0 <= j < nb ==> \is_finite(b[j]));
