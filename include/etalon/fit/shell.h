@@ -17,24 +17,29 @@ typedef struct { et_surface view[2]; } et_shell;
     predicate et_shell_stored(et_shell *s) =
         et_shell_same(s) && (\forall integer w; 0 <= w < 2 ==> \valid(s->view[w].points + (0 .. s->view[w].nu * s->view[w].nv - 1)) &&
                                                               \valid(s->view[w].u + (0 .. s->view[w].nu + s->view[w].p)) &&
-                                                              \valid(s->view[w].v + (0 .. s->view[w].nv + s->view[w].q)));
+                                                              \valid(s->view[w].v + (0 .. s->view[w].nv + s->view[w].q)) &&
+                                                              (s->view[w].weights == \null ||
+                                                               \valid(s->view[w].weights + (0 .. s->view[w].nu * s->view[w].nv - 1))));
+    predicate et_shell_readable(et_shell *s) = et_surface_readable(&s->view[0]) && et_surface_readable(&s->view[1]);
 */
 
 /* Both views valid (et_surface_valid), of one shape, and their control net a double net (sides at least 2).  1 or 0.
  * Golden: none (a predicate over storage; its property tries every way to break it). */
-/*@ requires valid: \valid_read(shell);
+/*@ requires valid: \valid_read(shell) && et_shell_readable((et_shell *)shell);
     assigns \nothing;
     ensures boolean: \result == 0 || \result == 1;
     ensures same:    \result == 1 ==> et_shell_same((et_shell *)shell);
+    ensures net:     \result == 1 ==> et_net_ok(shell->view[0].nu, shell->view[0].nv);
 */
 int et_shell_valid(const et_shell *shell);
 
 /* Valid, and closed as defined above: equal bits (0 and -0 differ).  Coincidence that is only geometric does not count.  1 or 0.
  * Golden: none (a comparison of bits). */
-/*@ requires valid: \valid_read(shell);
+/*@ requires valid: \valid_read(shell) && et_shell_readable((et_shell *)shell);
     assigns \nothing;
     ensures boolean: \result == 0 || \result == 1;
     ensures same:    \result == 1 ==> et_shell_same((et_shell *)shell);
+    ensures net:     \result == 1 ==> et_net_ok(shell->view[0].nu, shell->view[0].nv);
 */
 int et_shell_closed(const et_shell *shell);
 
@@ -83,7 +88,8 @@ void et_shell_free(et_shell *shell);
     requires net:       et_net_ok(shell->view[0].nu, shell->view[0].nv);
     requires size:      nov == NOV(shell->view[0].nu, shell->view[0].nv);
     requires valid:     \valid(points + (0 .. nov - 1));
-    requires separated: \separated(points + (0 .. nov - 1), shell);
+    requires separated: \separated(points + (0 .. nov - 1), shell, shell->view[0].points + (0 .. shell->view[0].nu * shell->view[0].nv - 1)) &&
+                        \separated(points + (0 .. nov - 1), shell->view[1].points + (0 .. shell->view[1].nu * shell->view[1].nv - 1));
     assigns points[0 .. nov - 1];
     ensures bottom:     \forall integer i; 0 <= i < shell->view[0].nu * shell->view[0].nv ==> points[i] == shell->view[0].points[i];
 */
@@ -91,10 +97,12 @@ void et_shell_gather(et_vec3 *points, size_t nov, const et_shell *shell);
 
 /* The reverse: every node of class c gets points[c-1], in both views, so that the border is shared bit for bit.  Knots and weights stay.
  * Golden: none (copies; the numbering has its rows with doublenet). */
-/*@ requires stored:    \valid_read(shell) && et_shell_stored(shell);
+/*@ requires stored:    \valid(shell) && et_shell_stored(shell);
     requires net:       et_net_ok(shell->view[0].nu, shell->view[0].nv);
     requires size:      nov == NOV(shell->view[0].nu, shell->view[0].nv);
     requires valid:     \valid_read(points + (0 .. nov - 1));
+    requires separated: \separated(shell, points + (0 .. nov - 1), shell->view[0].points + (0 .. shell->view[0].nu * shell->view[0].nv - 1),
+                                   shell->view[1].points + (0 .. shell->view[1].nu * shell->view[1].nv - 1));
     assigns shell->view[0].points[0 .. shell->view[0].nu * shell->view[0].nv - 1],
             shell->view[1].points[0 .. shell->view[1].nu * shell->view[1].nv - 1];
     ensures bottom:     \forall integer i; 0 <= i < shell->view[0].nu * shell->view[0].nv ==> shell->view[0].points[i] == points[i];
