@@ -18,8 +18,8 @@ typedef enum { ET_KNOTRULE_PIEGL = 0, ET_KNOTRULE_FAITHFUL, ET_KNOTRULE_UNIFORM,
 */
 
 /* "piegl", "faithful", "uniform", "averaging"; null past the last. */
-/*@ assigns \nothing;
-    ensures known:   et_knotrule_known(kind) ==> \valid_read(\result);
+/*@ assigns \result \from kind;
+    ensures known:   et_knotrule_known(kind) ==> valid_read_string(\result);
     ensures unknown: !et_knotrule_known(kind) ==> \result == \null;
 */
 const char *et_knotrule_name(et_knotrule_kind kind);
