@@ -38,11 +38,18 @@ typedef struct {
  * views, bottom first.  The source's own sum (its double count) is non for conventional and nov for the others.  greatest: over all nodes. */
 typedef struct { double nov, non, greatest; double corner; } et_fit_error;   /* corner: greatest distance at the four corners, both views */
 
-/*@ predicate et_fit_known(integer approach) = 0 <= approach <= 2; */
+/*@ predicate et_fit_known(integer approach) = 0 <= approach <= 2;
+    predicate et_fit_readable(et_fit *f) =
+        et_shell_readable(&f->shell) && (\forall integer w; 0 <= w < 2 ==> (f->s[w] == \null || \valid_read(f->s[w] + (0 .. f->data.nx - 1))) &&
+                                                                          (f->r[w] == \null || \valid_read(f->r[w] + (0 .. f->data.ny - 1))));
+    predicate et_fit_stored(et_fit *f) =
+        et_shell_stored(&f->shell) && (\forall integer w; 0 <= w < 2 ==> \valid_read(f->s[w] + (0 .. f->data.nx - 1)) &&
+                                                                        \valid_read(f->r[w] + (0 .. f->data.ny - 1)));
+*/
 
 /* "conventional", "improved", "joint"; null past the last. */
-/*@ assigns \nothing;
-    ensures known:   et_fit_known(approach) ==> \valid_read(\result);
+/*@ assigns \result \from approach;
+    ensures known:   et_fit_known(approach) ==> valid_read_string(\result);
     ensures unknown: !et_fit_known(approach) ==> \result == \null;
 */
 const char *et_fit_name(et_fit_approach approach);
@@ -68,13 +75,13 @@ et_fit_options et_fit_defaults(void);
 /*@ requires valid:     \valid(fit) && \valid_read(options) && \valid_read(data + (0 .. nov - 1));
     requires message:   message == \null || \valid(message);
     requires finite:    et_points_finite((et_vec3 *)data, nov);
-    requires separated: \separated(fit, data + (0 .. nov - 1), options);
+    requires separated: \separated(fit, data + (0 .. nov - 1), options, message);
     assigns *fit, *message;
     ensures invalid:    !et_net_ok(net.nx, net.ny) || nov != NOV(net.nx, net.ny) ==> \result == ET_EINVAL;
     ensures control:    options->control.nx > net.nx || options->control.ny > net.ny ==> \result == ET_EINVAL;
     ensures degrees:    options->p < 1 || options->q < 1 || options->p >= options->control.nx || options->q >= options->control.ny
                             ==> \result == ET_EINVAL;
-    ensures shell:      \result == ET_OK ==> et_shell_stored(&fit->shell) && fit->shell.view[0].nu == options->control.nx
+    ensures shell:      \result == ET_OK ==> et_fit_stored(fit) && fit->shell.view[0].nu == options->control.nx
                             && fit->shell.view[0].nv == options->control.ny
                             && fit->shell.view[0].p == options->p && fit->shell.view[0].q == options->q;
     ensures parameters: \result == ET_OK ==> \forall integer w; 0 <= w < 2 ==> et_params(fit->s[w], net.nx) && et_params(fit->r[w], net.ny);
@@ -109,12 +116,13 @@ et_status et_fit_parameters(et_fit *fit, const et_vec3 *data, size_t nov, et_dou
  * ET_EINVAL (nov is not the data's), ET_ENOMEM. */
 /*@ requires valid:     \valid(error) && \valid_read(fit) && \valid_read(data + (0 .. nov - 1));
     requires residual:  residual == \null || \valid(residual + (0 .. nov - 1));
-    requires shell:     et_shell_stored((et_shell *)&fit->shell);
-    requires separated: \separated(error, fit, data + (0 .. nov - 1));
+    requires fit:       et_fit_stored((et_fit *)fit) && et_surface_ok(&fit->shell.view[0]) && et_surface_ok(&fit->shell.view[1]);
+    requires finite:    et_points_finite((et_vec3 *)data, nov);
+    requires separated: \separated(error, fit, data + (0 .. nov - 1), residual + (0 .. nov - 1));
     assigns *error, residual[0 .. nov - 1];
     ensures invalid:    !et_net_ok(fit->data.nx, fit->data.ny) || nov != NOV(fit->data.nx, fit->data.ny) <==> \result == ET_EINVAL;
-    ensures order:      \result == ET_OK ==> 0.0 <= error->corner <= error->greatest;
-    ensures sums:       \result == ET_OK ==> 0.0 <= error->nov && 0.0 <= error->non;
+    ensures order:      \result == ET_OK && \is_finite(error->greatest) ==> 0.0 <= error->corner <= error->greatest;
+    ensures sums:       \result == ET_OK && \is_finite(error->nov) && \is_finite(error->non) ==> 0.0 <= error->nov && 0.0 <= error->non;
     ensures unchanged:  \result != ET_OK ==> *error == \old(*error);
 */
 et_status et_fit_measure(et_fit_error *error, double *residual, size_t nov, const et_fit *fit, const et_vec3 *data);
