@@ -62,6 +62,7 @@ et_som_options et_som_defaults(void);
 
 /* Weights, nov of them (class c at c - 1): uniform in [0,1)^3, drawn x, y, z, class by class (You 2023, section 4.2.5). */
 /*@ requires valid:    \valid(weights + (0 .. nov - 1));
+    requires rng:      \valid(rng) && \separated(rng, weights + (0 .. nov - 1));
     assigns weights[0 .. nov - 1], *rng;
     ensures cube:      \forall integer c; 0 <= c < nov ==> 0 <= weights[c].x < 1 && 0 <= weights[c].y < 1 && 0 <= weights[c].z < 1;
 */
@@ -78,13 +79,14 @@ void et_som_start(et_vec3 *weights, size_t nov, et_rng *rng);
     requires cloud:     \valid_read(cloud + (0 .. n - 1));
     requires options:   \valid_read(options);
     requires task:      task == \null || \valid_read(task);
-    requires separated: \separated(weights + (0 .. nov - 1), quality, cloud + (0 .. n - 1), options);
-    assigns weights[0 .. nov - 1], *quality, *rng;
+    requires rng:       \valid(rng);
+    requires separated: \separated(weights + (0 .. nov - 1), quality, cloud + (0 .. n - 1), options, rng);
+    assigns weights[0 .. nov - 1], *quality, *rng, ((char *)task->context)[..];
     ensures invalid:    !(et_net_ok(net.nx, net.ny) && nov == NOV(net.nx, net.ny) && n >= 1 && \old(et_som_options_ok(*options))
                           && \old(et_som_bounded(weights, nov)) && \old(et_som_bounded(cloud, n))) ==> \result == ET_EINVAL;
     ensures done:       \result == ET_OK ==> et_som_quality_ok(*quality) && quality->steps == options->iterations;
     ensures finite:     \result == ET_OK ==> et_som_bounded(weights, nov);
-    ensures unchanged:  \result == ET_EINVAL && task == \null ==>
+    ensures unchanged:  (\result == ET_EINVAL || \result == ET_ENOMEM) && task == \null ==>
                           (\forall integer c; 0 <= c < nov ==> weights[c] == \old(weights[c])) && *quality == \old(*quality);
 */
 et_status et_som_train(et_vec3 *weights, size_t nov, et_som_quality *quality, et_doublenet net, const et_vec3 *cloud, size_t n,
