@@ -15,17 +15,18 @@ typedef struct et_objective et_objective;                    /* opaque: basis va
  * fit and data may go.  Equal, bit for bit, to et_fit_measure's nov at the fit's own control points.  ET_EINVAL: a shell rational, open or not
  * valid, parameters of the views not equal, nov not that of fit->data, a null pointer.  ET_ENOMEM.  Golden: none (what it makes is opaque). */
 /*@ requires out:    \valid(objective);
-    requires fit:    \valid_read(fit);
+    requires fit:    \valid_read(fit) && et_fit_readable((et_fit *)fit);
     requires data:   \valid_read(data + (0 .. nov - 1));
     requires apart:  \separated(objective, fit, data + (0 .. nov - 1));
     assigns  *objective;
-    ensures  made:   \result == ET_OK ==> *objective != \null;
+    ensures  made:   \result == ET_OK ==> \valid(*objective);
     ensures  same:   \result != ET_OK ==> *objective == \old(*objective);
 */
 et_status et_objective_new(et_objective **objective, const et_fit *fit, const et_vec3 *data, size_t nov);
 
 /* et_objective_free(NULL) does nothing.  Golden: none (nothing is computed). */
 /*@ requires known: objective == \null || \valid(objective);
+    assigns  \nothing;
     frees    objective;
     ensures  freed: objective != \null ==> \allocable(objective);
 */
@@ -43,9 +44,10 @@ size_t et_objective_size(const et_objective *objective);
  * one thread at a time.  ET_EINVAL if n is not et_objective_size, or for a null pointer. */
 /*@ requires out:    value == \null || \valid(value);
     requires x:      x == \null || \valid_read(x + (0 .. n - 1));
+    requires known:  objective == \null || \valid((et_objective *)objective);
     requires finite: x != \null ==> \forall integer k; 0 <= k < n ==> \is_finite(x[k]);
     assigns  *value, *(et_objective *)objective;
-    ensures  sign:   \result == ET_OK ==> *value >= 0;
+    ensures  sign:   \result == ET_OK && \is_finite(*value) ==> *value >= 0;
     ensures  same:   \result != ET_OK && value != \null ==> *value == \old(*value);
 */
 et_status et_objective_eval(double *value, const double *x, size_t n, void *objective);
