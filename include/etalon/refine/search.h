@@ -51,6 +51,17 @@ typedef struct {
     uint64_t evaluations;                 /* values obtained */
 } et_search;
 
+/*@ predicate et_search_started(et_search *s) =
+        \valid(s) && 4 <= s->options.population && 1 <= s->n && 1 <= s->options.tournament &&
+        1 <= s->options.group && s->n % s->options.group == 0 &&
+        \valid(s->x + (0 .. s->options.population * s->n - 1)) && \valid(s->value + (0 .. s->options.population - 1)) &&
+        \valid(s->trial + (0 .. (s->options.population + 1) * (s->n + 1) - 1)) &&
+        \valid(s->x0 + (0 .. s->n - 1)) && \valid(s->best + (0 .. s->n - 1)) && (\forall integer k; 0 <= k < s->n ==> \is_finite(s->x0[k])) &&
+        (s->velocity == \null || (\valid(s->velocity + (0 .. s->options.population * s->n - 1)) &&
+                                  \valid(s->memory + (0 .. s->options.population * s->n - 1)) &&
+                                  \valid(s->remembered + (0 .. s->options.population - 1))));
+*/
+
 /* The values of the source's Table 6.1 with the readings of docs/search.md, one coordinate to a gene. */
 /*@ assigns \nothing;
     ensures population: \result.population == 40;
@@ -69,12 +80,13 @@ et_search_options et_search_defaults(void);
 /*@ requires out:    \valid(search);
     requires x0:     \valid_read(x0 + (0 .. n - 1));
     requires finite: \forall integer k; 0 <= k < n ==> \is_finite(x0[k]);
-    requires in:     \valid_read(options) && rng != \null;
-    requires apart:  \separated(search, x0 + (0 .. n - 1), options);
-    assigns  *search, *rng;
+    requires in:     \valid_read(options) && \valid(rng);
+    requires apart:  \separated(search, x0 + (0 .. n - 1), options, rng);
+    assigns  *search, *rng, ((char *)context)[..];
+    ensures  made:   \result == ET_OK ==> et_search_started(search);
     ensures  size:   \result == ET_OK ==> search->n == n && search->options.population == options->population;
     ensures  start:  \result == ET_OK ==> search->generation == 0 && search->evaluations == options->population;
-    ensures  best:   \result == ET_OK ==> \forall integer i; 0 <= i < options->population ==> search->best_value <= search->value[i];
+    ensures  best:   \result == ET_OK ==> \forall integer i; 0 <= i < options->population ==> \le_double(search->best_value, search->value[i]);
     ensures  memory: \result == ET_OK ==> (search->velocity == \null <==> velocities == 0);
     ensures  same:   \result != ET_OK ==> *search == \old(*search);
 */
@@ -91,34 +103,38 @@ void et_search_free(et_search *search);
 /* x[k] = x0[first + k] + radius (2 U - 1), k < count, U one draw of et_rng_fill each: the only way points are drawn, at the start with radius
  * spread, by the mutation of ga with radius box (spread without a box).  |x[k] - x0[first + k]| <= radius up to the rounding of the sum.
  * Golden: none (the rows of et_search_start and et_ga_step are made of its numbers). */
-/*@ requires search: \valid_read(search) && rng != \null;
-    requires range:  first + count <= search->n;
+/*@ requires search: \valid_read(search) && \valid(rng);
+    requires range:  first + count <= search->n && \valid_read(search->x0 + (0 .. search->n - 1));
+    requires finite: \forall integer k; 0 <= k < search->n ==> \is_finite(search->x0[k]);
     requires out:    \valid(x + (0 .. count - 1));
     requires apart:  \separated(x + (0 .. count - 1), search->x0 + (0 .. search->n - 1));
     requires radius: \is_finite(radius) && radius >= 0;
     assigns  x[0 .. count - 1], *rng;
-    ensures  drawn:  \forall integer k; 0 <= k < count ==> search->x0[first + k] - radius <= x[k] <= search->x0[first + k] + radius;
+    ensures  drawn:  \forall integer k; 0 <= k < count ==>
+                     \ge_double(x[k], (double)(search->x0[first + k] - radius)) && \le_double(x[k], (double)(search->x0[first + k] + radius));
 */
 void et_search_draw(double *x, const et_search *search, size_t first, size_t count, double radius, et_rng *rng);
 
 /* Every coordinate of x into [x0 - box, x0 + box] (the ends rounded as a double subtraction and sum are); without a box nothing. */
-/*@ requires search: \valid_read(search);
-    requires inout:  \valid(x + (0 .. search->n - 1));
+/*@ requires search: \valid_read(search) && \valid_read(search->x0 + (0 .. search->n - 1));
+    requires inout:  \valid(x + (0 .. search->n - 1)) && \separated(x + (0 .. search->n - 1), search, search->x0 + (0 .. search->n - 1));
+    requires order:  \forall integer k; 0 <= k < search->n ==> \is_finite(search->x0[k]) && !\is_NaN(x[k]);
     assigns  x[0 .. search->n - 1];
-    ensures  box:    search->options.box > 0 ==>
-                     \forall integer k; 0 <= k < search->n ==> search->x0[k] - search->options.box <= x[k] <= search->x0[k] + search->options.box;
+    ensures  box:    search->options.box > 0 ==> \forall integer k; 0 <= k < search->n ==>
+                     \ge_double(x[k], (double)(search->x0[k] - search->options.box)) &&
+                     \le_double(x[k], (double)(search->x0[k] + search->options.box));
     ensures  none:   search->options.box <= 0 ==> \forall integer k; 0 <= k < search->n ==> x[k] == \old(x[k]);
 */
 void et_search_clamp(double *x, const et_search *search);
 
 /* *value = f(x): counts the evaluation and keeps the best.  Only a strictly smaller value replaces the best: of equals the first stays.  On
  * failure (fn's status; ET_EINVAL for NaN) nothing changes.  Golden: none (the value is the caller's). */
-/*@ requires out:    \valid(value) && \valid(search);
+/*@ requires out:    \valid(value) && \valid(search) && \valid(search->best + (0 .. search->n - 1));
     requires x:      \valid_read(x + (0 .. search->n - 1));
     requires apart:  \separated(value, x + (0 .. search->n - 1), search->best + (0 .. search->n - 1), search);
-    assigns  *value, search->best[0 .. search->n - 1], search->best_value, search->evaluations;
+    assigns  *value, search->best[0 .. search->n - 1], search->best_value, search->evaluations, ((char *)search->context)[..];
     ensures  count:  \result == ET_OK ==> search->evaluations == \old(search->evaluations) + 1;
-    ensures  best:   \result == ET_OK ==> search->best_value <= *value;
+    ensures  best:   \result == ET_OK ==> \le_double(search->best_value, *value);
     ensures  same:   \result != ET_OK ==> search->evaluations == \old(search->evaluations) && search->best_value == \old(search->best_value);
 */
 et_status et_search_eval(double *value, et_search *search, const double *x);
@@ -131,13 +147,17 @@ typedef et_status (*et_search_step)(et_search *search, et_rng *rng);
  * steps were made, search->generation how many since the start.  After a failing objective the best, its value, the count of evaluations and
  * the values of the population hold; a search stepped on from there is not on the path of an unbroken run.
  * Golden: none (the rows of et_ga_step, et_de_step and et_pso_step are runs). */
-/*@ requires search:  \valid(search) && \valid(made) && step != \null && rng != \null;
+/*@ requires search:  et_search_started(search) && \valid(made) && step != \null && \valid(rng);
     requires history: history == \null || \valid(history + (0 .. generations - 1));
     requires task:    task == \null || \valid_read(task);
-    requires apart:   \separated(search, made, history + (0 .. generations - 1));
-    assigns  *search, *made, history[0 .. generations - 1], *rng;
+    requires apart:   \separated(search, made, history + (0 .. generations - 1), rng);
+    assigns  *search, *made, history[0 .. generations - 1], *rng, ((char *)search->context)[..], ((char *)task->context)[..],
+             search->x[0 .. search->options.population * search->n - 1], search->value[0 .. search->options.population - 1],
+             search->velocity[0 .. search->options.population * search->n - 1], search->memory[0 .. search->options.population * search->n - 1],
+             search->remembered[0 .. search->options.population - 1],
+             search->trial[0 .. (search->options.population + 1) * (search->n + 1) - 1], search->best[0 .. search->n - 1];
     ensures  made:    *made <= generations && (\result == ET_OK ==> *made == generations);
-    ensures  falling: history != \null ==> \forall integer g; 0 < g < *made ==> history[g] <= history[g - 1];
+    ensures  falling: history != \null ==> \forall integer g; 0 < g < *made ==> \le_double(history[g], history[g - 1]);
     ensures  last:    history != \null && \result == ET_OK && generations > 0 ==> history[generations - 1] == search->best_value;
 */
 et_status et_search_run(et_search *search, size_t *made, double *history, size_t generations, et_search_step step, et_rng *rng, const et_task *task);
