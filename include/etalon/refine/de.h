@@ -12,14 +12,15 @@ extern "C" {
  *   3. trial = x_r1 + F (x_r2 - x_r3) in the genes with U < CR and in that one, x_i in the others; clamped to the box; evaluated.
  * Generations are separate, as Storn and Price have it: all trials are built from the old generation; then trial i replaces x_i if its value is
  * not greater.  population evaluations.  If the objective fails the population is that of the generation before. */
-/*@ requires search:  \valid(search) && rng != \null && search->options.population >= 4;
+/*@ requires search:  et_search_started(search) && \valid(rng) && \separated(search, rng);
     assigns  search->x[0 .. search->options.population * search->n - 1], search->value[0 .. search->options.population - 1],
              search->trial[0 .. (search->options.population + 1) * (search->n + 1) - 1],
-             search->best[0 .. search->n - 1], search->best_value, search->generation, search->evaluations, *rng;
+             search->best[0 .. search->n - 1], search->best_value, search->generation, search->evaluations, *rng,
+             ((char *)search->context)[..];
     ensures  count:   \result == ET_OK ==> search->evaluations == \old(search->evaluations) + search->options.population
                                         && search->generation == \old(search->generation) + 1;
-    ensures  falling: search->best_value <= \old(search->best_value);
-    ensures  better:  \forall integer i; 0 <= i < search->options.population ==> search->value[i] <= \old(search->value[i]);
+    ensures  falling: \le_double(search->best_value, \old(search->best_value));
+    ensures  better:  \forall integer i; 0 <= i < search->options.population ==> \le_double(search->value[i], \old(search->value[i]));
 */
 et_status et_de_step(et_search *search, et_rng *rng);
 
