@@ -27,7 +27,8 @@ typedef struct {
     int converged;                        /* the last stage ended by the tolerance */
 } et_ceres_summary;
 
-/*@ predicate et_ceres_options_ok(et_ceres_options o) = 1 <= o.iterations && \is_finite(o.tolerance) && 0 <= o.tolerance
+/*@ predicate et_ceres_options_ok(et_ceres_options o) = 1 <= o.iterations
+        && (\is_plus_infinity(o.tolerance) || (\is_finite(o.tolerance) && 0 <= o.tolerance))
         && \is_finite(o.smooth_start) && \is_finite(o.smooth_end) && 0 < o.smooth_end <= o.smooth_start;
 */
 
@@ -48,15 +49,22 @@ et_ceres_options et_ceres_defaults(void);
  * ET_EINVAL (null pointer, options out of range, shell not closed or rational, nov not NOV of fit->data, data not finite or so large that
  * E overflows), ET_ENOMEM, ET_EINTERNAL; outputs are then unchanged, but for history.
  * Golden: none (not of the bit-for-bit class; the property compares with optima known exactly and with another algorithm) */
-/*@ requires fit:       fit == \null || \valid(fit);
+/*@ requires fit:       fit == \null || (\valid(fit) && et_fit_readable(fit));
     requires summary:   summary == \null || \valid(summary);
     requires history:   history == \null || \valid(history + (0 .. nhistory - 1));
     requires data:      data == \null || \valid_read(data + (0 .. nov - 1));
     requires options:   options == \null || \valid_read(options);
-    requires apart:     \separated(fit, summary, history + (0 .. nhistory - 1), data + (0 .. nov - 1), options);
-    assigns *fit, *summary, history[0 .. nhistory - 1], *message;
+    requires task:      task == \null || \valid_read(task);
+    requires message:   message == \null || \valid(message);
+    requires apart:     fit != \null && summary != \null && data != \null ==>
+                          \separated(fit, summary, data + (0 .. nov - 1), history + (0 .. nhistory - 1)) &&
+                          \separated(fit, summary, options) && \separated(fit, summary, message) &&
+                          (history != \null ==> \separated(history + (0 .. nhistory - 1), options));
+    assigns fit->shell.view[0].points[0 .. fit->shell.view[0].nu * fit->shell.view[0].nv - 1],
+            fit->shell.view[1].points[0 .. fit->shell.view[1].nu * fit->shell.view[1].nv - 1],
+            *summary, history[0 .. nhistory - 1], *message, ((char *)task->context)[..];
     ensures refused:    (fit == \null || summary == \null || data == \null) ==> \result == ET_EINVAL;
-    ensures options:    options != \null && !et_ceres_options_ok(*options) ==> \result == ET_EINVAL;
+    ensures options:    options != \null && !\old(et_ceres_options_ok(*options)) ==> \result == ET_EINVAL;
     ensures not_worse:  \result == ET_OK ==> summary->after <= summary->before;
     ensures iterations: \result == ET_OK && options != \null ==> summary->iterations <= options->iterations;
     ensures made:       \result == ET_OK ==> summary->made <= nhistory && summary->made <= summary->iterations;
@@ -74,16 +82,21 @@ et_status et_ceres_points(et_fit *fit, et_ceres_summary *summary, double *histor
  * rounding, for the surface is evaluated as a rational one.  The rest as for et_ceres_points.
  * ET_EINVAL (null pointer, options out of range, shell not closed, nov or data as above), ET_ENOMEM, ET_EINTERNAL.
  * Golden: none (not of the bit-for-bit class; the property measures the result by another evaluation) */
-/*@ requires fit:       fit == \null || \valid(fit);
+/*@ requires fit:       fit == \null || (\valid(fit) && et_fit_readable(fit));
     requires uv:        uv == \null || \valid(uv + (0 .. 2 * nov - 1));
     requires summary:   summary == \null || \valid(summary);
     requires history:   history == \null || \valid(history + (0 .. nhistory - 1));
     requires data:      data == \null || \valid_read(data + (0 .. nov - 1));
     requires options:   options == \null || \valid_read(options);
-    requires apart:     \separated(fit, uv + (0 .. 2 * nov - 1), summary, history + (0 .. nhistory - 1), data + (0 .. nov - 1), options);
-    assigns *fit, uv[0 .. 2 * nov - 1], *summary, history[0 .. nhistory - 1], *message;
+    requires task:      task == \null || \valid_read(task);
+    requires message:   message == \null || \valid(message);
+    requires apart:     fit != \null && uv != \null && summary != \null && data != \null ==>
+                          \separated(fit, uv + (0 .. 2 * nov - 1), summary, data + (0 .. nov - 1), history + (0 .. nhistory - 1)) &&
+                          \separated(fit, uv + (0 .. 2 * nov - 1), summary, options) && \separated(fit, uv + (0 .. 2 * nov - 1), summary, message) &&
+                          (history != \null ==> \separated(history + (0 .. nhistory - 1), options));
+    assigns *fit, uv[0 .. 2 * nov - 1], *summary, history[0 .. nhistory - 1], *message, ((char *)task->context)[..];
     ensures refused:    (fit == \null || uv == \null || summary == \null || data == \null) ==> \result == ET_EINVAL;
-    ensures options:    options != \null && !et_ceres_options_ok(*options) ==> \result == ET_EINVAL;
+    ensures options:    options != \null && !\old(et_ceres_options_ok(*options)) ==> \result == ET_EINVAL;
     ensures not_worse:  \result == ET_OK ==> summary->after <= summary->before;
     ensures parameters: \result == ET_OK ==> \forall integer k; 0 <= k < 2 * nov ==> 0 <= uv[k] <= 1;
     ensures made:       \result == ET_OK ==> summary->made <= nhistory && summary->made <= summary->iterations;
