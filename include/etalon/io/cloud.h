@@ -28,7 +28,7 @@ typedef struct { et_vec3 *points; size_t count; } et_cloud;
     requires path:      path == \null || valid_read_string(path);
     requires message:   message == \null || \valid(message);
     requires separated: \separated(cloud, message);
-    assigns  *cloud, *message, \result;
+    assigns  *cloud, *message;
     ensures  status:    \result == ET_OK || \result == ET_EINVAL || \result == ET_EFORMAT || \result == ET_EIO || \result == ET_ENOMEM;
     ensures  some:      \result == ET_OK ==> cloud->count >= 1 && \valid(cloud->points + (0 .. cloud->count - 1));
     ensures  finite:    \result == ET_OK ==> \forall integer k; 0 <= k < cloud->count ==> \is_finite(cloud->points[k].x) &&
@@ -48,7 +48,7 @@ void et_cloud_free(et_cloud *cloud);
 typedef enum { ET_CLOUD_XYZ = 0, ET_CLOUD_PLY_ASCII, ET_CLOUD_PLY_LITTLE, ET_CLOUD_PLY_BIG } et_cloud_format;
 
 /* "xyz", "ply-ascii", "ply", "ply-big"; null past the last. */
-/*@ assigns  \result;
+/*@ assigns  \result \from format;
     ensures  name:      ET_CLOUD_XYZ <= format <= ET_CLOUD_PLY_BIG ==> valid_read_string(\result);
     ensures  none:      !(ET_CLOUD_XYZ <= format <= ET_CLOUD_PLY_BIG) ==> \result == \null;
 */
@@ -62,7 +62,7 @@ const char *et_cloud_name(et_cloud_format format);
 /*@ requires path:      path == \null || valid_read_string(path);
     requires points:    points == \null || \valid_read(points + (0 .. count - 1));
     requires message:   message == \null || \valid(message);
-    assigns  *message, \result;
+    assigns  *message;
     ensures  status:    \result == ET_OK || \result == ET_EINVAL || \result == ET_EIO || \result == ET_ENOMEM;
     ensures  refused:   path == \null || points == \null || count == 0 ==> \result == ET_EINVAL;
 */
