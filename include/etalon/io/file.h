@@ -29,7 +29,7 @@ enum { ET_FILE_LIVE = 64 };
     requires path:      path == \null || valid_read_string(path);
     requires message:   message == \null || \valid(message);
     requires separated: \separated(file, message);
-    assigns  *file, *message, \result;
+    assigns  *file, *message;
     ensures  status:    \result == ET_OK || \result == ET_EINVAL || \result == ET_EIO || \result == ET_ENOMEM;
     ensures  open:      \result == ET_OK ==> file->stream != \null && file->path != \null;
     ensures  beside:    \result == ET_OK ==> (file->temporary == \null <==> file->target == \null);
@@ -45,7 +45,7 @@ et_status et_file_create(et_file *file, const char *path, et_message *message);
 /*@ requires file:      \valid(file);
     requires message:   message == \null || \valid(message);
     requires separated: \separated(file, message);
-    assigns  *file, *message, \result;
+    assigns  *file, *message, *file->stream;
     ensures  status:    \result == ET_OK || \result == ET_EINVAL || \result == ET_EIO;
     ensures  none:      \old(file->stream) == \null ==> \result == ET_EINVAL;
     ensures  closed:    file->stream == \null && file->path == \null && file->target == \null && file->temporary == \null;
@@ -56,7 +56,7 @@ et_status et_file_commit(et_file *file, et_message *message);
  * Does nothing where there is no file.
  * Golden: none (the effect is on the file system) */
 /*@ requires file:      \valid(file);
-    assigns  *file;
+    assigns  *file, *file->stream;
     ensures  closed:    file->stream == \null && file->path == \null && file->target == \null && file->temporary == \null;
 */
 void et_file_abandon(et_file *file);
