@@ -19,8 +19,8 @@ extern "C" {
  * written, so that equal shells give equal files.
  *
  * ET_EINVAL (null pointer, shell not valid, a control point that overflows under the frame, more than 9,999,999 records), ET_EIO, ET_ENOMEM. */
-/*@ requires path:    path == \null || \valid_read(path);
-    requires shell:   shell == \null || \valid_read(shell);
+/*@ requires path:    path == \null || valid_read_string(path);
+    requires shell:   shell == \null || (\valid_read(shell) && et_shell_readable((et_shell *)shell));
     requires frame:   frame == \null || \valid_read(frame);
     requires message: message == \null || \valid(message);
     assigns *message \from *shell, *frame;
