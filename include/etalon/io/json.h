@@ -41,8 +41,10 @@ typedef struct {
  * Golden: none (what is written is what et_json_read_net reads back, bit for bit) */
 /*@ requires path:      path == \null || valid_read_string(path);
     requires net:       net == \null || \valid_read(net);
+    requires weights:   net != \null && et_net_ok(net->net.nx, net->net.ny) ==>
+                        net->weights == \null || \valid_read(net->weights + (0 .. NOV(net->net.nx, net->net.ny) - 1));
     requires message:   message == \null || \valid(message);
-    assigns  *message, \result;
+    assigns  *message;
     ensures  status:    \result == ET_OK || \result == ET_EINVAL || \result == ET_EIO || \result == ET_ENOMEM;
     ensures  refused:   path == \null || net == \null ==> \result == ET_EINVAL;
 */
@@ -58,11 +60,11 @@ et_status et_json_write_net(const char *path, const et_net_file *net, et_message
     requires path:      path == \null || valid_read_string(path);
     requires message:   message == \null || \valid(message);
     requires separated: \separated(net, message);
-    assigns  *net, *message, \result;
+    assigns  *net, *message;
     ensures  status:    \result == ET_OK || \result == ET_EINVAL || \result == ET_EFORMAT || \result == ET_EIO || \result == ET_ENOMEM;
-    ensures  sides:     \result == ET_OK ==> net->net.nx >= 2 && net->net.ny >= 2;
-    ensures  weights:   \result == ET_OK ==> \valid(net->weights + (0 .. 2 * (net->net.nx * net->net.ny - net->net.nx - net->net.ny + 2) - 1));
-    ensures  trained:   \result == ET_OK ==> net->options.iterations >= 1 && 0 < net->options.alpha0 <= 1 && net->options.sigma0 >= 0;
+    ensures  sides:     \result == ET_OK ==> et_net_ok(net->net.nx, net->net.ny);
+    ensures  weights:   \result == ET_OK ==> \valid(net->weights + (0 .. NOV(net->net.nx, net->net.ny) - 1));
+    ensures  trained:   \result == ET_OK ==> et_som_options_ok(net->options);
     ensures  unchanged: \result != ET_OK ==> *net == \old(*net);
 */
 et_status et_json_read_net(et_net_file *net, const char *path, et_message *message);
@@ -80,9 +82,11 @@ void et_json_free_net(et_net_file *net);
  * ET_EINVAL: a null argument, or a value that no surface file holds.  ET_EIO, ET_ENOMEM: an earlier file is intact.
  * Golden: none (what is written is what et_json_read_surface reads back, bit for bit) */
 /*@ requires path:      path == \null || valid_read_string(path);
-    requires surface:   surface == \null || \valid_read(surface);
+    requires surface:   surface == \null || (\valid_read(surface) && et_fit_readable((et_fit *)&surface->fit));
+    requires uv:        surface != \null && et_net_ok(surface->fit.data.nx, surface->fit.data.ny) ==>
+                        surface->uv == \null || \valid_read(surface->uv + (0 .. 2 * NOV(surface->fit.data.nx, surface->fit.data.ny) - 1));
     requires message:   message == \null || \valid(message);
-    assigns  *message, \result;
+    assigns  *message;
     ensures  status:    \result == ET_OK || \result == ET_EINVAL || \result == ET_EIO || \result == ET_ENOMEM;
     ensures  refused:   path == \null || surface == \null ==> \result == ET_EINVAL;
 */
@@ -95,9 +99,9 @@ et_status et_json_write_surface(const char *path, const et_surface_file *surface
     requires path:      path == \null || valid_read_string(path);
     requires message:   message == \null || \valid(message);
     requires separated: \separated(surface, message);
-    assigns  *surface, *message, \result;
+    assigns  *surface, *message;
     ensures  status:    \result == ET_OK || \result == ET_EINVAL || \result == ET_EFORMAT || \result == ET_EIO || \result == ET_ENOMEM;
-    ensures  sides:     \result == ET_OK ==> surface->fit.data.nx >= 2 && surface->fit.data.ny >= 2;
+    ensures  sides:     \result == ET_OK ==> et_net_ok(surface->fit.data.nx, surface->fit.data.ny);
     ensures  shape:     \result == ET_OK ==> surface->fit.shell.view[0].nu == surface->fit.shell.view[1].nu &&
                         surface->fit.shell.view[0].nv == surface->fit.shell.view[1].nv;
     ensures  unchanged: \result != ET_OK ==> *surface == \old(*surface);
