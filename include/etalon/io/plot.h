@@ -20,8 +20,9 @@ enum { ET_PLOT_MOST = 20000 };
 /* A cloud, colour by height.  Of n > ET_PLOT_MOST points about ET_PLOT_MOST are drawn, chosen by a fixed hash of their numbers: the same ones
  * every time, and no pattern from the order of the points.
  * Golden: none (a picture has no determined value) */
-/*@ requires path:    path == \null || \valid_read(path);
+/*@ requires path:    path == \null || valid_read_string(path);
     requires points:  points == \null || \valid_read(points + (0 .. n - 1));
+    requires title:   title == \null || valid_read_string(title);
     requires message: message == \null || \valid(message);
     assigns *message;
     ensures status:   \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM || \result == ET_EIO;
@@ -31,8 +32,9 @@ et_status et_plot_cloud(const char *path, const et_vec3 *points, size_t n, const
 
 /* The net's two views side by side, class points joined along rows and columns, the seam thick.
  * Golden: none (a picture has no determined value) */
-/*@ requires path:    path == \null || \valid_read(path);
-    requires weights: weights == \null || \valid_read(weights);
+/*@ requires path:    path == \null || valid_read_string(path);
+    requires weights: weights != \null && et_net_ok(net.nx, net.ny) ==> \valid_read(weights + (0 .. NOV(net.nx, net.ny) - 1));
+    requires title:   title == \null || valid_read_string(title);
     requires message: message == \null || \valid(message);
     assigns *message;
     ensures status:   \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM || \result == ET_EIO;
@@ -42,8 +44,9 @@ et_status et_plot_net(const char *path, const et_vec3 *weights, et_doublenet net
 
 /* Both surfaces as wire frames in two colours with the seam drawn thick (the border of the bottom view).
  * Golden: none (a picture has no determined value) */
-/*@ requires path:    path == \null || \valid_read(path);
-    requires shell:   shell == \null || \valid_read(shell);
+/*@ requires path:    path == \null || valid_read_string(path);
+    requires shell:   shell == \null || (\valid_read(shell) && et_shell_readable((et_shell *)shell));
+    requires title:   title == \null || valid_read_string(title);
     requires message: message == \null || \valid(message);
     assigns *message;
     ensures status:   \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM || \result == ET_EIO;
@@ -53,8 +56,9 @@ et_status et_plot_shell(const char *path, const et_shell *shell, const char *tit
 
 /* Residuals |D_c - S| of the NOV data classes of `net`, a coloured cell a class, one map a view with the same colours; the border is in both.
  * Golden: none (a picture has no determined value) */
-/*@ requires path:     path == \null || \valid_read(path);
-    requires residual: residual == \null || \valid_read(residual);
+/*@ requires path:     path == \null || valid_read_string(path);
+    requires residual: residual != \null && et_net_ok(net.nx, net.ny) ==> \valid_read(residual + (0 .. NOV(net.nx, net.ny) - 1));
+    requires title:    title == \null || valid_read_string(title);
     requires message:  message == \null || \valid(message);
     assigns *message;
     ensures status:    \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM || \result == ET_EIO;
@@ -68,8 +72,11 @@ typedef struct { const char *label; const double *value; size_t count; double be
 
 /* n >= 1 curves, each of at least one value.
  * Golden: none (a picture has no determined value) */
-/*@ requires path:    path == \null || \valid_read(path);
+/*@ requires path:    path == \null || valid_read_string(path);
     requires curves:  curves == \null || \valid_read(curves + (0 .. n - 1));
+    requires values:  curves != \null ==> \forall integer k; 0 <= k < n ==> (curves[k].label == \null || valid_read_string(curves[k].label)) &&
+                          (curves[k].value == \null || \valid_read(curves[k].value + (0 .. curves[k].count - 1)));
+    requires title:   title == \null || valid_read_string(title);
     requires message: message == \null || \valid(message);
     assigns *message;
     ensures status:   \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM || \result == ET_EIO;
