@@ -27,8 +27,8 @@ extern "C" {
 typedef enum { ET_PRIMITIVE_CUBE = 0, ET_PRIMITIVE_SPHERE, ET_PRIMITIVE_SPINDLE, ET_PRIMITIVE_OILTANK } et_primitive_kind;
 
 /* "cube", "sphere", "spindle", "oiltank"; null past the last. */
-/*@ assigns \nothing;
-    ensures named: 0 <= kind <= 3 ==> \valid_read(\result + (0 .. 4));
+/*@ assigns \result \from kind;
+    ensures named: 0 <= kind <= 3 ==> valid_read_string(\result);
     ensures past:  (kind < 0 || kind > 3) ==> \result == \null;
 */
 const char *et_primitive_name(et_primitive_kind kind);
@@ -64,9 +64,10 @@ et_status et_primitive_make(et_vec3 *points, size_t count, et_primitive_kind kin
  * ET_EINVAL: sigma negative or not finite, fraction not in [0, 1].  ET_ENOMEM.
  * Golden: none (the generator's deviates pass through a logarithm; the property replays them). */
 /*@ requires valid:    \valid(points + (0 .. count - 1));
+    requires rng:      \valid(rng) && \separated(rng, points + (0 .. count - 1));
     assigns points[0 .. count - 1], *rng;
     ensures status:    \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
-    ensures invalid:   \result == ET_EINVAL <==> !(\is_finite(sigma) && 0 <= sigma && 0 <= fraction <= 1);
+    ensures invalid:   \result == ET_EINVAL <==> !(\is_finite(sigma) && 0 <= sigma && \is_finite(fraction) && 0 <= fraction <= 1);
     ensures unchanged: \result != ET_OK ==> \forall integer i; 0 <= i < count ==> points[i] == \old(points[i]);
 */
 et_status et_primitive_disturb(et_vec3 *points, size_t count, double sigma, double fraction, et_rng *rng);
