@@ -10,6 +10,11 @@ extern "C" {
 /* Triangle t joins vertices[triangles[t][0]], [1], [2], counter-clockwise seen from outside. */
 typedef struct { et_vec3 *vertices; size_t nvertices; size_t (*triangles)[3]; size_t ntriangles; } et_tessellation;
 
+/*@ predicate et_tessellation_ok(et_tessellation *m) =
+        \valid_read(m) && \valid_read(m->vertices + (0 .. m->nvertices - 1)) && \valid_read(m->triangles + (0 .. m->ntriangles - 1)) &&
+        (\forall integer t, k; 0 <= t < m->ntriangles && 0 <= k < 3 ==> m->triangles[t][k] < m->nvertices);
+*/
+
 /* nu x nv parameters a view, u = i/(nu-1), v = j/(nv-1), nu and nv >= 2: the vertices are the NOV classes of the double net {nu, nv} in the
  * order of their numbers, in the cloud's own coordinates.  The border takes the bottom view's points: for a shell with a gap the mesh is
  * closed all the same.
@@ -21,17 +26,16 @@ typedef struct { et_vec3 *vertices; size_t nvertices; size_t (*triangles)[3]; si
  * Golden: none (points are et_surface_grid's; the rest is combinatorial, and the property tests all of it)
  * ET_EINVAL (null pointer, shell not valid, nu or nv < 2, vertices that overflow), ET_ENOMEM. */
 /*@ requires mesh:     mesh == \null || \valid(mesh);
-    requires shell:    shell == \null || \valid_read(shell);
+    requires shell:    shell == \null || (\valid_read(shell) && et_shell_readable((et_shell *)shell));
     requires frame:    frame == \null || \valid_read(frame);
-    requires apart:    \separated(mesh, shell, frame);
+    requires apart:    mesh != \null ==> \separated(mesh, shell) && \separated(mesh, frame);
     assigns *mesh \from *shell, *frame, nu, nv;
     ensures status:    \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
-    ensures refused:   (mesh == \null || shell == \null || frame == \null || nu < 2 || nv < 2) ==> \result != ET_OK;
+    ensures refused:   (mesh == \null || shell == \null || frame == \null || nu < 2 || nv < 2) ==> \result == ET_EINVAL;
     ensures unchanged: mesh != \null && \result != ET_OK ==> *mesh == \old(*mesh);
     ensures vertices:  \result == ET_OK ==> mesh->nvertices == 2 * (nu * nv - nu - nv + 2);
     ensures triangles: \result == ET_OK ==> mesh->ntriangles == 4 * (nu - 1) * (nv - 1);
-    ensures storage:   \result == ET_OK ==> \valid(mesh->vertices + (0 .. mesh->nvertices - 1))
-                                         && \valid(mesh->triangles + (0 .. mesh->ntriangles - 1));
+    ensures storage:   \result == ET_OK ==> et_tessellation_ok(mesh);
 */
 et_status et_tessellation_of(et_tessellation *mesh, const et_shell *shell, const et_frame *frame, size_t nu, size_t nv);
 
@@ -46,20 +50,17 @@ void et_tessellation_free(et_tessellation *mesh);
 /* Signed volume by the divergence theorem, positive for triangles that face outwards: sum over triangles of det(a-o, b-o, c-o) / 6 with o the
  * first vertex (any o gives the same for a closed mesh; one of its own keeps a distant offset out of the products).  0 for no triangles.
  * Error to first order at most (b + n/512) u sum |a-o||b-o||c-o|, b < 64: exact for small integer coordinates but for the last division. */
-/*@ requires mesh:      \valid_read(mesh);
-    requires vertices:  \valid_read(mesh->vertices + (0 .. mesh->nvertices - 1));
-    requires triangles: \valid_read(mesh->triangles + (0 .. mesh->ntriangles - 1));
-    requires index:     \forall integer t, k; 0 <= t < mesh->ntriangles && 0 <= k < 3 ==> mesh->triangles[t][k] < mesh->nvertices;
+/*@ requires mesh: et_tessellation_ok((et_tessellation *)mesh);
     assigns \nothing;
-    ensures none:       mesh->ntriangles == 0 ==> \result == 0.0;
+    ensures none:  mesh->ntriangles == 0 ==> \result == 0.0;
 */
 double et_tessellation_volume(const et_tessellation *mesh);
 
 /* Wavefront OBJ: one `v` line a vertex, 17 significant digits (every double round-trips), one `f` line a triangle, counted from 1.
  * Golden: none (the property reads the file back; what it must hold is the mesh itself)
  * ET_EINVAL (null pointer), ET_EIO, ET_ENOMEM. */
-/*@ requires path:    path == \null || \valid_read(path);
-    requires mesh:    mesh == \null || \valid_read(mesh);
+/*@ requires path:    path == \null || valid_read_string(path);
+    requires mesh:    mesh == \null || et_tessellation_ok((et_tessellation *)mesh);
     requires message: message == \null || \valid(message);
     assigns *message \from *mesh;
     ensures status:   \result == ET_OK || \result == ET_EINVAL || \result == ET_EIO || \result == ET_ENOMEM;
@@ -71,8 +72,8 @@ et_status et_tessellation_write_obj(const char *path, const et_tessellation *mes
  * Vertices are rounded to 32 bits, shared ones alike; normals are those of the rounded triangle, (0,0,0) for one without area.
  * Golden: none (the property reads the bytes back)
  * ET_EINVAL (null pointer, a coordinate beyond 32-bit range, more than 2^32 - 1 triangles), ET_EIO, ET_ENOMEM. */
-/*@ requires path:    path == \null || \valid_read(path);
-    requires mesh:    mesh == \null || \valid_read(mesh);
+/*@ requires path:    path == \null || valid_read_string(path);
+    requires mesh:    mesh == \null || et_tessellation_ok((et_tessellation *)mesh);
     requires message: message == \null || \valid(message);
     assigns *message \from *mesh;
     ensures status:   \result == ET_OK || \result == ET_EINVAL || \result == ET_EIO || \result == ET_ENOMEM;
