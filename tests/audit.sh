@@ -86,15 +86,23 @@ done < "$work/modules"
 
 # Orphans.
 awk '!($1 == "T" && $2 ~ /^et_[a-z0-9]+_[a-z0-9_]+$/) { print $1, $2 }' "$work/symbols" > "$work/odd"
-while read -r kind s; do lacks "$s ($kind)"; done < "$work/odd"
-verdict 'the library exports functions et_MODULE_VERB and nothing else'
+# What the parts of one module share begins with its word and is declared in a header private to its room.
+while read -r kind s; do
+    known=
+    for h in $(grep -lE "(^|[^a-z0-9_])$s[(]" src/*/*.h 2> /dev/null); do
+        m=${h##*/} m=${m%.h} m=${m%%_*}
+        case $kind$s in T"$m"*) is_module "$m" && known=1 ;; esac
+    done
+    [ -n "$known" ] || lacks "$s ($kind)"
+done < "$work/odd"
+verdict 'the library exports functions et_MODULE_VERB, and what the parts of a module share'
 for f in $(awk '{ print $2 }' "$work/declared"); do grep -qx "$f" "$work/functions" || lacks "$f"; done
 verdict 'every declared function is defined'
 for s in src/*/*.c src/*/*.cpp; do
     r=${s#src/} r=${r%/*} m=${s##*/} m=${m%.*}
-    [ "$r" = cli ] || [ ! -f "$s" ] || [ -f "include/etalon/$r/$m.h" ] || lacks "$s"
+    [ "$r" = cli ] || [ ! -f "$s" ] || [ -f "include/etalon/$r/${m%%_*}.h" ] || lacks "$s"
 done
-verdict 'every source file has its header in the same room'
+verdict 'every source file is a module, or MODULE_part, with its header in the same room'
 for t in tests/*/test_*.c; do
     r=${t#tests/} r=${r%/*} m=${t##*/test_} m=${m%.c}
     [ ! -f "$t" ] || [ "$r" = cli ] || [ -f "include/etalon/$r/$m.h" ] || lacks "$t"

@@ -1,11 +1,15 @@
 #!/bin/sh
-# bits.sh BUILD: same seed, same bits.  The command built by two compilers, at four levels of optimisation, with one thread and with two, makes the same
-# files; by definition what gcc -O0 with one thread makes is compared with all others.
+# bits.sh BUILD: same seed, same bits.  The command built by two compilers, at four levels of optimisation, with one thread and with two, makes
+# the same files; by definition what gcc -O0 with one thread makes is compared with all others.
 set -u
 build=$1
 passed=0 failed=0
 for p in debug clang release native; do
-    make -s -j"$(nproc 2> /dev/null || echo 1)" P=$p BUILD="$build" "$build/$p/etalon" > /dev/null || { echo "FAIL bits: the build $p"; echo "0 passed, 1 failed"; exit 1; }
+    make -s -j"$(nproc 2> /dev/null || echo 1)" P=$p BUILD="$build" "$build/$p/etalon" > /dev/null || {
+        echo "FAIL bits: the build $p"
+        echo "0 passed, 1 failed"
+        exit 1
+    }
 done
 root=$(cd "$build" && pwd)
 work=$(mktemp -d) || exit 2
@@ -22,7 +26,9 @@ make_all() {
     "$e" train noisy.xyz --grid 12x9 --seed 5 -q -o net.json
     "$e" train cube.xyz --grid 20x20 --seed 6 --iterations 5000 -q -o other_net.json
     for a in conventional improved joint; do
-        for m in uniform chord centripetal exponential; do "$e" fit net.json --control 6x5 --approach $a --method $m -q -o $a.$m.json --iges $a.$m.igs; done
+        for m in uniform chord centripetal exponential; do
+            "$e" fit net.json --control 6x5 --approach $a --method $m -q -o $a.$m.json --iges $a.$m.igs
+        done
     done
     for a in cholesky svd; do "$e" fit net.json --control 6x5 --algebra $a -q -o $a.json; done
     for a in ga de pso; do

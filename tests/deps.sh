@@ -17,7 +17,8 @@ fi
 export DEBIAN_FRONTEND=noninteractive
 echo "installing$missing"
 log=$(mktemp) || exit 2
-if ! { $root apt-get update && $root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing; } > "$log" 2>&1 < /dev/null; then
+get() { $root apt-get update && $root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing; }
+if ! get > "$log" 2>&1 < /dev/null; then
     tail -n 20 "$log" >&2
     echo "could not install:$missing" >&2
     rm -f "$log"

@@ -5,7 +5,13 @@ lib=$1 work=$2/docs cc=$3 libs=$4
 passed=0 failed=0
 rm -rf "$work"
 mkdir -p "$work" || exit 2
-told() { if "$@" > "$work/said" 2>&1; then passed=$((passed + 1)); echo "ok $what"; else failed=$((failed + 1)); echo "FAIL $what"; head -n 5 "$work/said"; fi; }
+told() {
+    if "$@" > "$work/said" 2>&1; then
+        passed=$((passed + 1)) && echo "ok $what"
+    else
+        failed=$((failed + 1)) && echo "FAIL $what" && head -n 5 "$work/said"
+    fi
+}
 
 # Each block of C that has a main becomes a program.
 for page in README.md docs/*.md; do
@@ -16,7 +22,8 @@ for page in README.md docs/*.md; do
     for c in "$work/$name".*.c; do
         [ -f "$c" ] && grep -q 'int main(' "$c" || continue
         what="$page: the example compiles"
-        told $cc -std=c99 -pedantic-errors -Wall -Wextra -Wno-unused-parameter -Werror -D_POSIX_C_SOURCE=200809L -Iinclude -o "${c%.c}" "$c" "$lib" $libs
+        told $cc -std=c99 -pedantic-errors -Wall -Wextra -Wno-unused-parameter -Werror -D_POSIX_C_SOURCE=200809L -Iinclude \
+            -o "${c%.c}" "$c" "$lib" $libs
         [ -x "${c%.c}" ] || continue
         what="$page: the example runs and ends with 0"
         told sh -c "cd '$work' && ulimit -t 60 && './$(basename "${c%.c}")' < /dev/null"

@@ -8,7 +8,11 @@ passed=0 failed=0
 told() {
     what=$1
     shift
-    if "$@" > "$to.said" 2>&1; then passed=$((passed + 1)); echo "ok install: $what"; else failed=$((failed + 1)); echo "FAIL install: $what"; head -n 5 "$to.said"; fi
+    if "$@" > "$to.said" 2>&1; then
+        passed=$((passed + 1)) && echo "ok install: $what"
+    else
+        failed=$((failed + 1)) && echo "FAIL install: $what" && head -n 5 "$to.said"
+    fi
 }
 told 'make install' make -s BUILD="$1" install DESTDIR="$to" PREFIX=/opt/etalon
 cat > "$to.c" <<'C'

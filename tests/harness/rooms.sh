@@ -1,5 +1,5 @@
 #!/bin/sh
-# rooms.sh FOLDER CC: audit.sh and floors.sh tested on a small tree which is in order, and broken in one place at a time.
+# rooms.sh FOLDER CC: audit.sh, floors.sh and contracts.sh tested on a small tree which is in order, and broken in one place at a time.
 set -u
 mkdir -p "$1" && here=$(cd "$1" && pwd) cc=$2 root=$PWD
 passed=0 failed=0
@@ -69,6 +69,7 @@ judged() {
     case $judge in
     audit) library && sh "$root/tests/audit.sh" lib.a > said 2>&1 ;;
     floors) sh "$root/tests/floors.sh" "$cc" > said 2>&1 ;;
+    contracts) sh "$root/tests/contracts.sh" include > said 2>&1 ;;
     esac
     code=$?
     if [ -z "$pattern" ]; then [ $code -eq 0 ] && tail -n 1 said | grep -q ' 0 failed$'
@@ -90,6 +91,9 @@ judged audit 'no corpus' 'module real: no case' 'rm fuzz/corpus/real/*'
 judged audit 'no test file' 'module knots: no tests' 'rm tests/spline/test_knots.c'
 judged audit 'source in another room' 'every source file.*src/som/real.c' 'mv src/base/real.c src/som/real.c'
 judged audit 'an exported name of no module' 'exports.*helper' "echo 'int helper(void) { return 1; }' >> src/base/real.c"
+judged audit 'a part of a module' '' \
+    "echo 'int real_helper(void) { return 1; }' > src/base/real_part.c; echo 'int real_helper(void);' > src/base/real_parts.h"
+judged audit 'a part that is not declared' 'exports.*real_helper' "echo 'int real_helper(void) { return 1; }' > src/base/real_part.c"
 judged audit 'exported data' 'exports.*et_real_table' "echo 'int et_real_table = 1;' >> src/base/real.c"
 judged audit 'declared, not defined' 'declared function.*et_real_third' "sed -i 's/^double et_real_half.*/&\n\/* A. *\/\n\/*@ assigns \\\\\\\\nothing; *\/\ndouble et_real_third(double x);/' $real"
 judged audit 'an orphan heading' 'heading.*et_real_third' "echo '## et_real_third' >> docs/real.md"
@@ -124,5 +128,14 @@ judged floors 'a foreign sine' 'transcendental' "echo 'double f(void) { return s
 judged floors 'a second C++ file' 'one C\+\+' ': > src/base/a.cpp'
 judged floors 'a header that does not stand alone' 'stands alone' "echo 'et_real f(size_t n);' >> $real"
 judged floors 'x87' 'evaluated as double' "sed -i '/FLT_EVAL/d' src/base/real.c"
+
+if command -v frama-c > /dev/null; then
+    judged contracts 'a tree in order' '' :
+    judged contracts 'a name that is not bound' 'base/real.h: .*unbound logic variable y' "sed -i 's|x / 2|y / 2|' $real"
+    judged contracts 'a predicate for a term' 'base/real.h: .*not a function' "sed -i 's|^/\*@ assigns|/*@ predicate et_half(real a) = a > 0; */\n&|; s|== x / 2|== et_half(x)|' $real"
+    judged contracts 'a bracket too many' 'base/real.h: ' "sed -i 's|x / 2;|x / 2);|' $real"
+    judged contracts 'a clause that is none' 'base/real.h: ' "sed -i 's|ensures half|assures half|' $real"
+    judged contracts 'broken in a header that is included' 'spline/knots.h: .*unbound' "sed -i 's|x / 2|y / 2|' $real"
+fi
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]
