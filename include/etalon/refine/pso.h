@@ -17,7 +17,7 @@ extern "C" {
              search->remembered[0 .. search->options.population - 1],
              search->trial[0 .. (search->options.population + 1) * (search->n + 1) - 1],
              search->best[0 .. search->n - 1], search->best_value, search->generation, search->evaluations, *rng,
-             ((char *)search->context)[..];
+             ((char *)search->context)[0 .. \block_length((char *)search->context) - 1];
     ensures  count:   \result == ET_OK ==> search->evaluations == \old(search->evaluations) + search->options.population
                                         && search->generation == \old(search->generation) + 1;
     ensures  falling: \le_double(search->best_value, \old(search->best_value));
