@@ -82,7 +82,8 @@ et_search_options et_search_defaults(void);
     requires finite: \forall integer k; 0 <= k < n ==> \is_finite(x0[k]);
     requires in:     \valid_read(options) && \valid(rng);
     requires apart:  \separated(search, x0 + (0 .. n - 1), options, rng);
-    assigns  *search, *rng, ((char *)context)[..];
+    assigns  *search, *rng,
+             ((char *)context)[0 .. \block_length((char *)context) - 1];
     ensures  made:   \result == ET_OK ==> et_search_started(search);
     ensures  size:   \result == ET_OK ==> search->n == n && search->options.population == options->population;
     ensures  start:  \result == ET_OK ==> search->generation == 0 && search->evaluations == options->population;
@@ -132,7 +133,8 @@ void et_search_clamp(double *x, const et_search *search);
 /*@ requires out:    \valid(value) && \valid(search) && \valid(search->best + (0 .. search->n - 1));
     requires x:      \valid_read(x + (0 .. search->n - 1));
     requires apart:  \separated(value, x + (0 .. search->n - 1), search->best + (0 .. search->n - 1), search);
-    assigns  *value, search->best[0 .. search->n - 1], search->best_value, search->evaluations, ((char *)search->context)[..];
+    assigns  *value, search->best[0 .. search->n - 1], search->best_value, search->evaluations,
+             ((char *)search->context)[0 .. \block_length((char *)search->context) - 1];
     ensures  count:  \result == ET_OK ==> search->evaluations == \old(search->evaluations) + 1;
     ensures  best:   \result == ET_OK ==> \le_double(search->best_value, *value);
     ensures  same:   \result != ET_OK ==> search->evaluations == \old(search->evaluations) && search->best_value == \old(search->best_value);
@@ -151,7 +153,9 @@ typedef et_status (*et_search_step)(et_search *search, et_rng *rng);
     requires history: history == \null || \valid(history + (0 .. generations - 1));
     requires task:    task == \null || \valid_read(task);
     requires apart:   \separated(search, made, history + (0 .. generations - 1), rng);
-    assigns  *search, *made, history[0 .. generations - 1], *rng, ((char *)search->context)[..], ((char *)task->context)[..],
+    assigns  *search, *made, history[0 .. generations - 1], *rng,
+             ((char *)search->context)[0 .. \block_length((char *)search->context) - 1],
+             ((char *)task->context)[0 .. \block_length((char *)task->context) - 1],
              search->x[0 .. search->options.population * search->n - 1], search->value[0 .. search->options.population - 1],
              search->velocity[0 .. search->options.population * search->n - 1], search->memory[0 .. search->options.population * search->n - 1],
              search->remembered[0 .. search->options.population - 1],
