@@ -62,7 +62,8 @@ et_ceres_options et_ceres_defaults(void);
                           (history != \null ==> \separated(history + (0 .. nhistory - 1), options));
     assigns fit->shell.view[0].points[0 .. fit->shell.view[0].nu * fit->shell.view[0].nv - 1],
             fit->shell.view[1].points[0 .. fit->shell.view[1].nu * fit->shell.view[1].nv - 1],
-            *summary, history[0 .. nhistory - 1], *message, ((char *)task->context)[..];
+            *summary, history[0 .. nhistory - 1], *message,
+            ((char *)task->context)[0 .. \block_length((char *)task->context) - 1];
     ensures refused:    (fit == \null || summary == \null || data == \null) ==> \result == ET_EINVAL;
     ensures options:    options != \null && !\old(et_ceres_options_ok(*options)) ==> \result == ET_EINVAL;
     ensures not_worse:  \result == ET_OK ==> summary->after <= summary->before;
@@ -94,7 +95,8 @@ et_status et_ceres_points(et_fit *fit, et_ceres_summary *summary, double *histor
                           \separated(fit, uv + (0 .. 2 * nov - 1), summary, data + (0 .. nov - 1), history + (0 .. nhistory - 1)) &&
                           \separated(fit, uv + (0 .. 2 * nov - 1), summary, options) && \separated(fit, uv + (0 .. 2 * nov - 1), summary, message) &&
                           (history != \null ==> \separated(history + (0 .. nhistory - 1), options));
-    assigns *fit, uv[0 .. 2 * nov - 1], *summary, history[0 .. nhistory - 1], *message, ((char *)task->context)[..];
+    assigns *fit, uv[0 .. 2 * nov - 1], *summary, history[0 .. nhistory - 1], *message,
+            ((char *)task->context)[0 .. \block_length((char *)task->context) - 1];
     ensures refused:    (fit == \null || uv == \null || summary == \null || data == \null) ==> \result == ET_EINVAL;
     ensures options:    options != \null && !\old(et_ceres_options_ok(*options)) ==> \result == ET_EINVAL;
     ensures not_worse:  \result == ET_OK ==> summary->after <= summary->before;
