@@ -112,6 +112,8 @@ audit: $(B)/libetalon.a
 	@sh tests/audit.sh $(B)/libetalon.a
 floors:
 	@sh tests/floors.sh '$(CC)'
+contracts:
+	@sh tests/contracts.sh include
 docs: $(B)/libetalon.a
 	@sh tests/docs.sh $(B)/libetalon.a $(BUILD) '$(CC) $(OMP) -ffp-contract=off' '-Wl,--as-needed $(LIBS)'
 bits:
@@ -127,8 +129,8 @@ J := -j$(shell nproc 2> /dev/null || echo 1)
 built: all $(B)/check
 check: deps-test
 	@$(SUM) '$(MAKE) -s $(J) built' '$(MAKE) -s $(J) P=clang built' '$(MAKE) -s $(J) P=asan built' \
-	  '$(MAKE) -s test' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s audit' '$(MAKE) -s docs' 'sh tests/install.sh $(BUILD)' \
-	  'ET_RUNS=200 $(MAKE) -s P=clang test' '$(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s bits'
+	  '$(MAKE) -s test' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s contracts' '$(MAKE) -s audit' '$(MAKE) -s docs' \
+	  'sh tests/install.sh $(BUILD)' 'ET_RUNS=200 $(MAKE) -s P=clang test' '$(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s bits'
 end-to-end: all
 	@$(SUM) $(foreach s,$(sort $(wildcard tests/cli/*.sh)),'sh $(s) $(B)/etalon')
 
@@ -178,4 +180,4 @@ uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/share/man/man1/etalon.1
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test harness bites asan valgrind audit floors docs bits fuzz cover built check end-to-end bench programs peers deps deps-test demo install uninstall clean
+.PHONY: all test harness bites asan valgrind audit floors contracts docs bits fuzz cover built check end-to-end bench programs peers deps deps-test demo install uninstall clean
