@@ -363,15 +363,12 @@ verdict prop_cloud_read_obj(gen *g)
 static void put_number(text *t, const void *x, size_t size, bool big)
 {
     const uint16_t one = 1;
+    const unsigned char *from = x;
     unsigned char low = 0, bytes[8];
 
     memcpy(&low, &one, 1);
-    memcpy(bytes, x, size);
-    for (size_t k = 0; k < size / 2 && (low == 1) == big; k++) {
-        const unsigned char b = bytes[k];
-        bytes[k] = bytes[size - 1 - k];
-        bytes[size - 1 - k] = b;
-    }
+    for (size_t k = 0; k < size && k < sizeof bytes; k++)
+        bytes[k] = from[(low == 1) == big ? size - 1 - k : k];
     put_bytes(t, bytes, size);
 }
 
