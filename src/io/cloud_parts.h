@@ -64,8 +64,12 @@ et_status cloud_next_line(cloud_reader *r, cloud_field *line, int *more);
 
 /* ---- fields and numbers ---- */
 
-/* Whether c is a blank within a line. */
-int cloud_blank(char c);
+/* Whether c is a blank within a line; here, for it is asked of every byte. */
+static inline int cloud_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
 /* f without blanks at its ends. */
 cloud_field cloud_trimmed(cloud_field f);
 /* The next field of `rest` and what is left of it; 0 when there is none.  separator: comma or semicolon, blanks around it are not part of

@@ -6,11 +6,6 @@
 #include <string.h>
 #include <strings.h>
 
-int cloud_blank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
-
 cloud_field cloud_trimmed(cloud_field f)
 {
     while (f.begin < f.end && cloud_blank(*f.begin))
