@@ -8,11 +8,12 @@
 #include <string.h>
 
 /* Settings that a search must be resumed with as it was begun: the numbers of et_search_options in order. */
-enum { SETTINGS = 15 };
+enum { SETTINGS = 17 };
 static void settings(double out[SETTINGS], const et_search_options *o)
 {
     const double all[SETTINGS] = { (double)o->population, o->spread, o->box, (double)o->group, (double)o->tournament, o->crossover, o->swap,
-                                   o->mutation, o->F, o->CR, (double)o->by_coordinate, o->K, o->c1, o->c2, o->vmax };
+                                   o->mutation, o->F, o->CR, (double)o->by_coordinate, o->K, o->c1, o->c2, o->vmax,
+                                   (double)o->immediate, (double)o->absorb };
     memcpy(out, all, sizeof all);
 }
 

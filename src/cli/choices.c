@@ -70,6 +70,8 @@ void cli_refine_table(cli_option table[CLI_REFINE_OPTIONS], cli_refine_options *
         { "c1", 0, CLI_REAL, &s->c1, "C", "PSO: pull of an individual's own best (default 2.05)", NULL },
         { "c2", 0, CLI_REAL, &s->c2, "C", "PSO: pull of the swarm's best (default 2.05)", NULL },
         { "vmax", 0, CLI_REAL, &s->vmax, "V", "PSO: greatest speed a coordinate; 0: none (default 5e-6)", NULL },
+        { "immediate", 0, CLI_FLAG, &s->immediate, NULL, "PSO: follow the best found within the same sweep already", NULL },
+        { "absorb", 0, CLI_FLAG, &s->absorb, NULL, "PSO: a coordinate held by the box loses its velocity", NULL },
         { "ceres-iterations", 0, CLI_SIZE, &o->ceres.iterations, "N", "Ceres: iterations in all (default 400)", NULL },
         { "ceres-tolerance", 0, CLI_REAL, &o->ceres.tolerance, "T", "Ceres: relative change that ends a stage (default 1e-10)", NULL },
         { "faithful", 0, CLI_FLAG, &o->faithful, NULL, "the source's readings: box of 5e-6, and the population's best even if worse than the start", NULL },

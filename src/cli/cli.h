@@ -92,7 +92,7 @@ typedef struct {
 
 /* Option tables that several subcommands share, and what was chosen by them. */
 typedef struct { int approach, method, knots, algebra, corners; size_t degree[2], control[2]; } cli_fit_choice;
-enum { CLI_TRAIN_OPTIONS = 5, CLI_FIT_OPTIONS = 6, CLI_REFINE_OPTIONS = 18 };
+enum { CLI_TRAIN_OPTIONS = 5, CLI_FIT_OPTIONS = 6, CLI_REFINE_OPTIONS = 20 };
 cli_fit_choice cli_fit_choice_defaults(void);
 void cli_train_table(cli_option table[CLI_TRAIN_OPTIONS], cli_train_options *o, int *frame);
 void cli_fit_table(cli_option table[CLI_FIT_OPTIONS], cli_fit_choice *choice);

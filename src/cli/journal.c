@@ -30,11 +30,11 @@ static json_t *settings(const comparison *t, const et_net_file *net)
         json_array_append_new(jobs, json_sprintf("%d %zux%zu %zu %zu %zu", c->faithful, c->control[0], c->control[1], c->method, t->jobs[k].algorithm,
                                                  t->jobs[k].run));
     }
-    return json_pack("{s:s, s:i, s:s, s:s, s:[i,i], s:i, s:i, s:I, s:[f,f,f,f,f,f,f,f,f,f,f,f,f], s:[I,I,I,i], s:[I,f,f,f], s:o}", "format",
+    return json_pack("{s:s, s:i, s:s, s:s, s:[i,i], s:i, s:i, s:I, s:[f,f,f,f,f,f,f,f,f,f,f,f], s:[I,I,I,i,i,i], s:[I,f,f,f], s:o}", "format",
                      "etalon-journal", "version", 1, "seed", seed, "weights", weights, "degree", (int)o->fit.degree[0], (int)o->fit.degree[1], "knots",
                      o->fit.knots, "start", (int)o->start, "generations", (json_int_t)r->generations, "search", s->spread, s->box, o->box, s->crossover,
-                     s->swap, s->mutation, s->F, s->CR, s->K, s->c1, s->c2, s->vmax, 0.0, "counts", (json_int_t)s->population, (json_int_t)s->tournament,
-                     (json_int_t)s->group, s->by_coordinate, "ceres", (json_int_t)r->ceres.iterations, r->ceres.tolerance, r->ceres.smooth_start,
+                     s->swap, s->mutation, s->F, s->CR, s->K, s->c1, s->c2, s->vmax, "counts", (json_int_t)s->population, (json_int_t)s->tournament,
+                     (json_int_t)s->group, s->by_coordinate, s->immediate, s->absorb, "ceres", (json_int_t)r->ceres.iterations, r->ceres.tolerance, r->ceres.smooth_start,
                      r->ceres.smooth_end, "jobs", jobs);
 }
 

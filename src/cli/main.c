@@ -1,6 +1,7 @@
 /* etalon: the command. */
 #include "cli/cli.h"
 #include <string.h>
+#include <unistd.h>
 
 #define ETALON_VERSION "0.1.0"
 
@@ -53,6 +54,8 @@ int main(int argc, char **argv)
             const et_status status = commands[k].run(argc - 1, argv + 1, &message);
             if (status != ET_OK)
                 fprintf(stderr, "etalon %s: %s\n", argv[1], message.text[0] ? message.text : et_status_text(status));
+            if (status == ET_ENOMEM)      /* without memory the shutdown of a linked library may hang: OpenBLAS waits for its threads */
+                _exit(et_status_exit(status));
             return et_status_exit(status);
         }
     fprintf(stderr, "etalon: unknown command '%s'; see etalon --help\n", argv[1]);
