@@ -54,7 +54,8 @@ int main(int argc, char **argv)
             const et_status status = commands[k].run(argc - 1, argv + 1, &message);
             if (status != ET_OK)
                 fprintf(stderr, "etalon %s: %s\n", argv[1], message.text[0] ? message.text : et_status_text(status));
-            if (status == ET_ENOMEM)      /* without memory the shutdown of a linked library may hang: OpenBLAS waits for its threads */
+            /* After a failure the libraries' own shutdown is left out: without memory OpenBLAS waits for its threads for ever. */
+            if (status != ET_OK && fflush(NULL) == 0)
                 _exit(et_status_exit(status));
             return et_status_exit(status);
         }

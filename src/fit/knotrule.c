@@ -34,7 +34,7 @@ et_status et_knotrule_make(double *u, size_t nu, size_t p, const double *t, size
 {
     size_t control, spans, square;
 
-    if (p < 1 || nu / 2 < p + 1 || nt < 2 || et_knotrule_name(kind) == NULL)
+    if (p < 1 || nu / 2 <= p || nt < 2 || et_knotrule_name(kind) == NULL)
         return ET_EINVAL;
     control = nu - p - 1;
     spans = control - p;

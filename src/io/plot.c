@@ -428,7 +428,7 @@ static void put_curve(FILE *script, const et_plot_curve *curve, size_t number)
 static int before_is_new(const et_plot_curve *curves, size_t c)
 {
     for (size_t k = 0; k < c; k++)
-        if (curves[k].before == curves[c].before)
+        if (fabs(curves[k].before - curves[c].before) <= 1e-9 * fabs(curves[c].before))    /* one line to the eye */
             return 0;
     return !isnan(curves[c].before);
 }
@@ -465,8 +465,8 @@ et_status et_plot_history(const char *path, const et_plot_curve *curves, size_t 
     for (size_t k = 0; k < n; k++)
         put_curve(c.script, &curves[k], k);
     put_title(c.script, "set title", title);
-    fputs("set xlabel 'step'\nset ylabel 'value'\nset grid lt 1 lc rgb '#cccccc'\nset key outside below center horizontal noenhanced\n"
-          "set tics nomirror out\nset format y '%.6g'\nset lmargin 16\nset bmargin 7\n",
+    fputs("set xlabel 'step'\nset ylabel 'value'\nset grid lt 1 lc rgb '#cccccc'\nset key top right vertical noenhanced opaque\n"
+          "set tics nomirror out\nset format y '%.6g'\nset lmargin 16\n",
           c.script);
     for (size_t k = 0; k < n; k++)
         most = curves[k].count > most ? curves[k].count : most;

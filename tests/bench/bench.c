@@ -46,6 +46,9 @@ int bench_peer(bench_result *result, const char *command, const char *item, cons
         return 0;
     }
     int got = fscanf(pipe, "%63s %lf %lf", r.version, &r.seconds, &r.residual);
+    while (fgetc(pipe) != EOF) {
+        /* to its end: a peer still writing must not be cut off */
+    }
     if (pclose(pipe) != 0 || got != 3 || !(r.seconds > 0.0)) {
         return 0;
     }
