@@ -465,7 +465,7 @@ et_status et_plot_history(const char *path, const et_plot_curve *curves, size_t 
     for (size_t k = 0; k < n; k++)
         put_curve(c.script, &curves[k], k);
     put_title(c.script, "set title", title);
-    fputs("set xlabel 'step'\nset ylabel 'value'\nset grid lt 1 lc rgb '#cccccc'\nset key top right vertical noenhanced opaque\n"
+    fputs("set xlabel 'step'\nset ylabel 'value'\nset grid lt 1 lc rgb '#cccccc'\nset key outside right top vertical noenhanced\n"
           "set tics nomirror out\nset format y '%.6g'\nset lmargin 16\n",
           c.script);
     for (size_t k = 0; k < n; k++)
