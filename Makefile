@@ -46,8 +46,10 @@ CFLAGS   = -std=c99 -pedantic-errors -Wstrict-prototypes -Wvla $(COMMON) $(FLAGS
 # Eigen's types have another layout under -march=native than in the Ceres that is installed.
 CXXFLAGS = -std=c++17 $(COMMON) $(filter-out -march=native,$(FLAGS_$(P))) -isystem /usr/include/eigen3 $(if $(filter asan fuzz,$(P)),-fno-sanitize=vptr)
 LDFLAGS ?= -Wl,--as-needed
-LIBS   := -lceres -lglog -llapacke -llapack -lblas -lgsl -lgslcblas -ljansson -lstdc++ -lm
+LIBS   := -lceres -lglog -llapacke -llapack -lblas -ljansson -lstdc++ -lm
 LDLIBS  = $(LIBS)
+# GSL is a second opinion: tests and peers only.
+GSL    := -lgsl -lgslcblas
 
 LIBROOMS := $(filter-out cli,$(ROOMS))
 SRC   := $(foreach r,$(LIBROOMS),$(wildcard src/$(r)/*.c) $(wildcard src/$(r)/*.cpp))
@@ -92,9 +94,9 @@ $(B)/registry.c: $(TEST) $(B)/test.list tests/registry.sh
 $(B)/registry.o: $(B)/registry.c
 	$(CC) $(CFLAGS) -Itests -c -o $@ $<
 $(B)/check: $(TESTO) $(B)/registry.o $(B)/libetalon.a
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^) $(LDLIBS)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^) $(GSL) $(LDLIBS)
 $(B)/fuzzer: $(FUZZO) $(B)/libetalon.a
-	$(CC) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $(filter %.o %.a,$^) $(LDLIBS)
+	$(CC) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $(filter %.o %.a,$^) $(GSL) $(LDLIBS)
 
 # Each prints one line a test and a last line `N passed, N failed`; sum.sh adds them up.
 SUM := sh tests/sum.sh
@@ -143,7 +145,7 @@ peers: $(PEERS)
 $(BENCHES): $(B)/%: $(B)/tests/bench/%.c.o $(B)/tests/bench/bench.c.o $(INPUTO) $(B)/libetalon.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(filter-out %_occt %_pagmo,$(PEERS)): $(B)/%: $(B)/tests/bench/%.c.o $(B)/tests/bench/bench.c.o $(INPUTO)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(if $(findstring sisl,$@),-lsisl) $(if $(findstring nlopt,$@),-lnlopt) -lgsl -lgslcblas -lm
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(if $(findstring sisl,$@),-lsisl) $(if $(findstring nlopt,$@),-lnlopt) $(GSL) -lm
 $(filter %_occt,$(PEERS)): $(B)/%: tests/bench/%.cpp $(B)/tests/bench/bench.c.o $(INPUTO)
 	$(CXX) $(CXXFLAGS) -isystem /usr/include/opencascade $(LDFLAGS) -o $@ $^ -lTKG3d -lTKG2d -lTKMath -lTKernel
 $(filter %_pagmo,$(PEERS)): $(B)/%: tests/bench/%.cpp $(B)/tests/bench/bench.c.o $(INPUTO)
@@ -152,8 +154,8 @@ $(filter %_pagmo,$(PEERS)): $(B)/%: tests/bench/%.cpp $(B)/tests/bench/bench.c.o
 $(B)/tests/bench/peer_som_plain.c.o $(B)/tests/bench/peer_dense.c.o: FLAGS_native = -O2
 
 # Debian's packages; with root (or sudo) they are installed, else named.
-PACKAGES      := gcc g++ libgsl-dev liblapacke-dev libceres-dev libgoogle-glog-dev libeigen3-dev libjansson-dev gnuplot-nox
-PACKAGES_TEST := clang libclang-rt-14-dev valgrind gcovr python3 libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh
+PACKAGES      := gcc g++ liblapacke-dev libceres-dev libgoogle-glog-dev libeigen3-dev libjansson-dev gnuplot-nox
+PACKAGES_TEST := libgsl-dev clang libclang-rt-14-dev valgrind gcovr python3 libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh
 deps:
 	@sh tests/deps.sh $(PACKAGES)
 deps-test:
