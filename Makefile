@@ -138,6 +138,8 @@ end-to-end: all
 
 # A benchmark is bench_X.c (or X_table.c) with bench.c and X_input.c; a peer is a program of its own, and may be missing.
 bench:
+	@sh tests/deps.sh $(PACKAGES_BENCH) || echo "peers that are missing are skipped"
+	@echo "BLAS: $$(ldconfig -p | sed -n 's/.*libblas\.so\.3 .*=> //p' | head -n 1 | xargs -r readlink -f)"
 	@for p in release native; do $(MAKE) -s P=$$p programs && $(MAKE) -s -k P=$$p peers 2> /dev/null; \
 	  for b in $(notdir $(BENCHES)); do echo "$$b, $$p:"; BENCH_BIN=$(BUILD)/$$p BENCH_SRC=tests/bench $(BUILD)/$$p/$$b || exit; done; done
 programs: $(BENCHES)
@@ -156,6 +158,7 @@ $(B)/tests/bench/peer_som_plain.c.o $(B)/tests/bench/peer_dense.c.o: FLAGS_nativ
 # Debian's packages; with root (or sudo) they are installed, else named.
 PACKAGES      := gcc g++ liblapacke-dev libceres-dev libgoogle-glog-dev libeigen3-dev libjansson-dev gnuplot-nox
 PACKAGES_TEST := libgsl-dev clang libclang-rt-14-dev valgrind gcovr python3 libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh
+PACKAGES_BENCH := libgsl-dev libsisl-dev libocct-modeling-algorithms-dev libpagmo-dev libboost-serialization-dev libtbb-dev python3-scipy r-base-core r-cran-kohonen
 deps:
 	@sh tests/deps.sh $(PACKAGES)
 deps-test:
