@@ -71,7 +71,7 @@ only() {
 }
 all=$(ls src/*/*.c src/*/*.cpp src/*/*.h include/etalon/*/*.h 2> /dev/null)
 lib=$(echo "$all" | grep -v '^src/cli/')
-only 'LAPACKE in linalg only'               'lapacke[.]h|LAPACKE_|cblas'                             'src/fit/linalg.c' $all
+only 'LAPACKE in linalg_lapack only'        'lapacke[.]h|LAPACKE_|cblas'                             'src/fit/linalg_lapack.c' $all
 only 'Ceres in ceres.cpp only'              'ceres/ceres[.]h|ceres::'                                'src/refine/ceres.cpp' $all
 only 'jansson in json only'                'jansson[.]h'                                            'src/io/json*' $lib
 only 'GSL splines in tests only'            'gsl_(bspline|spline|interp)'                           none $all
