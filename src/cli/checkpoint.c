@@ -56,7 +56,7 @@ et_status cli_checkpoint_write(const char *path, const et_search *s, const et_rn
         o = NULL;
     }
     if (!o)
-        return et_status_fail(message, ET_ENOMEM, "not enough memory for the checkpoint");
+        return et_status_fail(message, ET_ENOMEM, "%s cannot be written: memory is short, or a value is not finite", path);
     status = cli_write_json(path, o, message);
     json_decref(o);
     return status;
@@ -106,6 +106,17 @@ static const char *what_differs(const json_t *o, const et_search *s, cli_algorit
     return NULL;
 }
 
+/* Every value must be the objective's at its point: a checkpoint is not believed. */
+static int honest(const et_search *s, const double *x, const double *value, size_t n)
+{
+    for (size_t k = 0; k < n; k++) {
+        double f;
+        if (s->fn(&f, x + k * s->n, s->n, s->context) != ET_OK || f != value[k])
+            return 0;
+    }
+    return 1;
+}
+
 static const char *restore(et_search *s, et_rng *rng, double **history, size_t more, const json_t *o)
 {
     const size_t m = s->options.population, all = m * s->n;
@@ -143,6 +154,8 @@ static const char *restore(et_search *s, et_rng *rng, double **history, size_t m
     s->generation = (size_t)generation;
     s->evaluations = evaluations;
     et_rng_seek(rng, draws);
+    if (!honest(s, s->x, s->value, m) || !honest(s, s->best, &s->best_value, 1) || (s->velocity && !honest(s, s->memory, s->remembered, m)))
+        return "its values are not those of its points";
     return NULL;
 }
 
@@ -164,6 +177,8 @@ et_status cli_checkpoint_read(et_search *search, et_rng *rng, double **history, 
     if (!json_is_object(o) || !json_string_value(json_object_get(o, "format"))
         || strcmp(json_string_value(json_object_get(o, "format")), "etalon-search") != 0)
         status = et_status_fail(message, ET_EFORMAT, "%s: not a checkpoint of a search", path);
+    else if (json_integer_value(json_object_get(o, "version")) != 1)
+        status = et_status_fail(message, ET_EFORMAT, "%s: version: only version 1 is known", path);
     else if ((bad = what_differs(o, search, algorithm, seed)) != NULL)
         status = et_status_fail(message, ET_EFORMAT, "%s: the %s of the checkpoint differ from this run's", path, bad);
     else if ((bad = restore(search, rng, history, more, o)) != NULL)

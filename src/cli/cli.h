@@ -41,6 +41,7 @@ typedef struct {
     int json, quiet, progress, help;
     size_t threads;
     uint64_t seed;
+    const char *input;                    /* the cloud's name, for messages */
     const char *stage;                    /* what the progress line says is being done */
     double began, shown;                  /* wall clock, progress line only */
     int drawn;
@@ -61,12 +62,16 @@ et_status cli_pairs(size_t (*pairs)[2], size_t *count, size_t most, const char *
 
 void cli_signals(void);                   /* SIGINT, SIGTERM ask to stop; a second one ends at once; SIGPIPE is an error code */
 int cli_stopped(void);
+void cli_end_at_once(void);               /* from here on the first signal ends the program: there is no best so far to save */
+void cli_on_end(void (*function)(void));  /* called (async-signal-safe) when a signal ends the program; null: nothing */
 et_status cli_check(et_message *message); /* ET_ESTOPPED once a stop was asked for */
 et_task cli_task(cli_run *run, const char *stage);      /* progress line and stop, for a computation */
 void cli_task_end(cli_run *run);          /* wipe the progress line */
 double cli_cpu(void);                     /* processor seconds of this thread */
 void cli_say(const cli_run *run, const char *format, ...);     /* to standard error unless --quiet or --json */
 et_status cli_print(const json_t *object, et_message *message);/* one JSON line on standard output */
+/* ET_EINVAL if two of the n paths are one; null and "-" do not count. */
+et_status cli_distinct(const char *const *paths, size_t n, et_message *message);
 
 /* ---- the pipeline ------------------------------------------------------------------------------------------------------ */
 
@@ -157,7 +162,7 @@ typedef struct {
     cli_refined *refined;
     size_t nrefined, best;                /* best: index of the least `after`, nrefined when there is none */
     size_t vertices, triangles;
-    double volume;
+    double volume, stl_rounding;          /* the latter as a share of the mesh's size */
     int pictures;
 } cli_reconstruction;
 

@@ -150,6 +150,7 @@ static void release(comparison *t)
             et_json_free_surface(&t->cases[c].fit[a]);
     free(t->cases);
     free(t->jobs);
+    json_decref(t->baseline);
     compare_journal_close(t);
 }
 
@@ -178,12 +179,17 @@ static et_status run_it(const char *path, const compare_options *o, cli_run *run
         return status;
     memset(&t, 0, sizeof t);
     t.options = o;
+    run->input = path;
     t.cloud = path;
     t.points = cloud.count;
-    status = cli_train(&net, &seconds, cloud.points, cloud.count, &o->train, run, message);
+    status = compare_baseline_read(&t, message);
+    if (status == ET_OK)
+        status = cli_train(&net, &seconds, cloud.points, cloud.count, &o->train, run, message);
     et_cloud_free(&cloud);
-    if (status != ET_OK)
+    if (status != ET_OK) {
+        release(&t);
         return status;
+    }
     t.som = cli_json_som(&net, seconds);
     status = t.som ? compute(&t, &net, run, message) : et_status_fail(message, ET_ENOMEM, "not enough memory");
     json_decref(t.som);
@@ -209,6 +215,10 @@ static et_status settle(compare_options *o, const compare_lists *lists, et_messa
     if (o->start == ET_FIT_CONVENTIONAL)
         return et_status_fail(message, ET_EINVAL, "--start: the conventional approach leaves a gap and cannot be refined");
     o->box = o->refiner.search.box;
+    const char *const paths[] = { o->output, o->journal, o->baseline };
+    status = cli_distinct(paths, 3, message);
+    if (status != ET_OK)
+        return status;
     return cli_refine_settle(&o->refiner, message);
 }
 

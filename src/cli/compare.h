@@ -39,7 +39,7 @@ typedef struct {
     const compare_options *options;
     const char *cloud;
     size_t points;
-    json_t *som;
+    json_t *som, *baseline;
     compare_case *cases; size_t ncases;
     compare_job *jobs; size_t njobs;
     FILE *journal;
@@ -50,6 +50,8 @@ et_status compare_journal_open(comparison *t, const et_net_file *net, et_message
 et_status compare_journal_add(comparison *t, size_t job, et_message *message);
 void compare_journal_close(comparison *t);
 
+/* An earlier table, read before anything is computed or written. */
+et_status compare_baseline_read(comparison *t, et_message *message);
 /* The table, to where it was asked for, and its comparison with the baseline. */
 et_status compare_deliver(const comparison *t, const cli_run *run, et_message *message);
 #endif

@@ -9,10 +9,13 @@ typedef struct { const char *surface, *iges; } fit_outputs;
 
 static et_status finish(const et_surface_file *s, double overshoot, const fit_outputs *out, const cli_run *run, et_message *message)
 {
-    et_status status = out->surface ? et_json_write_surface(out->surface, s, message) : ET_OK;
+    const char *const paths[] = { out->surface, out->iges };
+    et_status status = cli_distinct(paths, 2, message);
 
     if (status == ET_OK && out->iges)
         status = et_iges_write(out->iges, &s->fit.shell, &s->frame, message);
+    if (status == ET_OK && out->surface)
+        status = et_json_write_surface(out->surface, s, message);
     if (status == ET_OK && run->json) {
         json_t *object = cli_json_fit(s, overshoot);
         status = cli_print(object, message);
@@ -51,6 +54,7 @@ et_status cli_fit_command(int argc, char **argv, et_message *message)
     et_status status = cli_parse(positional, &n, argc, argv, options, OWN + CLI_FIT_OPTIONS + CLI_COMMON, &help, message);
     if (status != ET_OK || run.help)
         return status;
+    cli_end_at_once();
     if (faithful)
         choice.knots = ET_KNOTRULE_FAITHFUL;
     const et_fit_options o = cli_fit_chosen(&choice);

@@ -89,10 +89,13 @@ et_status cli_generate(int argc, char **argv, et_message *message)
     const et_status status = cli_parse(positional, &n, argc, argv, options, 5 + CLI_COMMON, &help, message);
     if (status != ET_OK || state.help)
         return status;
+    cli_end_at_once();
     while (kind_name(kind) && strcmp(kind_name(kind), positional[0]) != 0)
         kind++;
     if (!kind_name(kind))
         return et_status_fail(message, ET_EINVAL, "there is no cloud '%s'; there are cube, sphere, spindle, oiltank", positional[0]);
+    if (kind == ET_PRIMITIVE_CUBE && o.size[0] != o.size[1])
+        return et_status_fail(message, ET_EINVAL, "--size %zux%zu: a cube has as many points along every edge", o.size[0], o.size[1]);
     if (!(o.noise >= 0) || !(o.outliers >= 0 && o.outliers <= 1))
         return et_status_fail(message, ET_EINVAL, "--noise must not be negative, --outliers must be in [0, 1]");
     if (o.format < 0) {

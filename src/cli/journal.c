@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 /* Everything a run's result depends on.  The weights' own bits stand for cloud, grid, training options and seed. */
@@ -56,12 +57,12 @@ static int read_job(comparison *t, const json_t *o)
 }
 
 /* The lines of an existing journal.  A last line cut short by a kill is dropped: its run is done again. */
-static et_status read_lines(comparison *t, FILE *stream, const json_t *mine, long *good, et_message *message)
+static et_status read_lines(comparison *t, FILE *stream, const json_t *mine, const char *text, long *good, et_message *message)
 {
     const char *path = t->options->journal;
     char *line = NULL;
     size_t room = 0, number = 0;
-    ssize_t length;
+    ssize_t length = 0;
     et_status status = ET_OK;
 
     *good = 0;
@@ -75,6 +76,9 @@ static et_status read_lines(comparison *t, FILE *stream, const json_t *mine, lon
         json_decref(o);
         *good += (long)length;
     }
+    /* A first line without its end is a journal's only if it is the beginning of ours. */
+    if (status == ET_OK && number == 0 && length > 0 && ((size_t)length >= strlen(text) || memcmp(line, text, (size_t)length) != 0))
+        status = et_status_fail(message, ET_EFORMAT, "%s:1: not a journal", path);
     free(line);
     return status;
 }
@@ -97,11 +101,14 @@ et_status compare_journal_open(comparison *t, const et_net_file *net, et_message
 {
     const char *path = t->options->journal;
     json_t *mine;
+    struct stat there;
     long good = 0;
     et_status status = ET_OK;
 
     if (!path)
         return ET_OK;
+    if (stat(path, &there) == 0 && !S_ISREG(there.st_mode))
+        return et_status_fail(message, ET_EIO, "%s is not a file that a journal can be kept in", path);
     t->journal = fopen(path, "a+b");
     if (!t->journal)
         return et_status_fail(message, ET_EIO, "cannot open %s: %s", path, strerror(errno));
@@ -110,11 +117,13 @@ et_status compare_journal_open(comparison *t, const et_net_file *net, et_message
     char *text = mine ? json_dumps(mine, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;
     json_decref(mine);
     mine = text ? json_loads(text, 0, NULL) : NULL;
-    free(text);
-    if (!mine)
+    if (!mine) {
+        free(text);
         return et_status_fail(message, ET_ENOMEM, "not enough memory");
+    }
     rewind(t->journal);
-    status = read_lines(t, t->journal, mine, &good, message);
+    status = read_lines(t, t->journal, mine, text, &good, message);
+    free(text);
     if (status == ET_OK && ftruncate(fileno(t->journal), good) != 0)
         status = et_status_fail(message, ET_EIO, "cannot write %s: %s", path, strerror(errno));
     if (status == ET_OK && good == 0)

@@ -43,15 +43,17 @@ int main(int argc, char **argv)
     }
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "help") == 0) {
         usage(stdout);
-        return 0;
+        return fflush(stdout) != 0 ? 4 : 0;
     }
     if (strcmp(argv[1], "--version") == 0) {
         printf("etalon %s\n", ETALON_VERSION);
-        return 0;
+        return fflush(stdout) != 0 ? 4 : 0;
     }
     for (size_t k = 0; k < COMMANDS; k++)
         if (strcmp(argv[1], commands[k].name) == 0) {
-            const et_status status = commands[k].run(argc - 1, argv + 1, &message);
+            et_status status = commands[k].run(argc - 1, argv + 1, &message);
+            if ((fflush(stdout) != 0 || ferror(stdout)) && status == ET_OK)
+                status = et_status_fail(&message, ET_EIO, "cannot write to standard output");
             if (status != ET_OK)
                 fprintf(stderr, "etalon %s: %s\n", argv[1], message.text[0] ? message.text : et_status_text(status));
             /* After a failure the libraries' own shutdown is left out: without memory OpenBLAS waits for its threads for ever. */

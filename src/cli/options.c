@@ -180,10 +180,12 @@ et_status cli_parse(const char **positional, size_t *npositional, int argc, char
     }
     if (*npositional < help->least)
         return et_status_fail(message, ET_EINVAL, "an argument is missing; usage: %s", help->usage);
+    if (*(size_t *)options[noptions - CLI_COMMON + 1].target == 0)
+        return et_status_fail(message, ET_EINVAL, "--threads must be at least 1");
     return ET_OK;
 }
 
-/* --help stays last: cli_parse finds its flag there. */
+/* --help stays last and --threads second: cli_parse finds them there. */
 void cli_common(cli_option options[CLI_COMMON], cli_run *run)
 {
     const cli_option common[CLI_COMMON] = {
@@ -228,6 +230,9 @@ et_status cli_pairs(size_t (*pairs)[2], size_t *count, size_t most, const char *
             return et_status_fail(message, ET_EINVAL, "--%s names more than %zu sizes", option, most);
         if (!to_pair(pairs[*count], at, ','))
             return et_status_fail(message, ET_EINVAL, "--%s wants sizes such as 6x6,12x12, not '%.*s'", option, (int)length, at);
+        for (size_t m = 0; m < *count; m++)
+            if (memcmp(pairs[m], pairs[*count], sizeof pairs[m]) == 0)
+                return et_status_fail(message, ET_EINVAL, "--%s names %zux%zu twice", option, pairs[m][0], pairs[m][1]);
         (*count)++;
         if (!at[length])
             return ET_OK;

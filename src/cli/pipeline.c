@@ -81,6 +81,8 @@ static et_status train(et_net_file *net, double *seconds, const et_vec3 *unit, s
         status = et_quality_of(&net->final, net->weights, nov, net->net, unit, n);
     if (status == ET_ESTOPPED)
         return et_status_fail(message, status, "interrupted; nothing was written");
+    if (status == ET_EINVAL)
+        return et_status_fail(message, ET_EFORMAT, "%s: coordinates this large cannot be trained on; leave --normalise none out", run->input);
     return status == ET_OK ? status : et_status_fail(message, status, "training failed: %s", et_status_text(status));
 }
 
@@ -98,12 +100,13 @@ et_status cli_train(et_net_file *net, double *seconds, const et_vec3 *cloud, siz
     made.options.alpha0 = options->alpha;
     made.options.sigma0 = options->radius;
     if (!et_doublenet_valid(sides))
-        return et_status_fail(message, ET_EINVAL, "--grid %zux%zu: both sides must be at least 2", sides.nx, sides.ny);
+        return et_status_fail(message, ET_EINVAL, "--grid %zux%zu: both sides must be at least 2%s", sides.nx, sides.ny,
+                              sides.nx >= 2 && sides.ny >= 2 ? ", and not that large" : "");
     if (options->iterations == 0 || !(options->alpha > 0 && options->alpha <= 1) || !(options->radius >= 0))
         return et_status_fail(message, ET_EINVAL, "--iterations must be at least 1, --alpha in (0, 1], --radius not negative");
     status = et_frame_of(&made.frame, cloud, n, options->frame);
     if (status != ET_OK)
-        return et_status_fail(message, status, "the cloud cannot be normalised: its points are all equal, or its extent overflows");
+        return et_status_fail(message, status, "%s cannot be normalised: its points are all equal, or its extent overflows", run->input);
     unit = et_size_array(n, sizeof *unit);
     made.weights = et_size_array(et_doublenet_nov(sides), sizeof *made.weights);
     if (!unit || !made.weights) {

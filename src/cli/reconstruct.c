@@ -10,6 +10,8 @@
 #include "etalon/io/plot.h"
 #include "etalon/io/tessellation.h"
 #include <errno.h>
+#include <fcntl.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -98,13 +100,14 @@ static const char *in(char path[PATH], const char *directory, const char *name)
     return strcat(path, name);
 }
 
-static et_status make_directory(const char *path, et_message *message)
+/* *made: 1 if the last folder of the path was not there before. */
+static et_status make_directory(int *made, const char *path, et_message *message)
 {
     struct stat there;
     char partial[PATH];
 
     if (strlen(path) + 64 > PATH || !path[0])
-        return et_status_fail(message, ET_EINVAL, "--output '%.64s...' is not a usable folder name", path);
+        return et_status_fail(message, ET_EINVAL, "--output: '%.64s' is no usable folder name", path);
     strcpy(partial, path);
     for (char *slash = strchr(partial + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
         *slash = '\0';
@@ -112,7 +115,8 @@ static et_status make_directory(const char *path, et_message *message)
             return et_status_fail(message, ET_EIO, "cannot make the folder %s: %s", partial, strerror(errno));
         *slash = '/';
     }
-    if (mkdir(path, 0777) != 0 && errno != EEXIST)
+    *made = mkdir(path, 0777) == 0;
+    if (!*made && errno != EEXIST)
         return et_status_fail(message, ET_EIO, "cannot make the folder %s: %s", path, strerror(errno));
     if (stat(path, &there) != 0 || !S_ISDIR(there.st_mode))
         return et_status_fail(message, ET_EIO, "%s is not a folder", path);
@@ -124,22 +128,11 @@ static const char *const products[] = { "cloud.ply", "net.json", "fit.json", "su
                                         "summary.json", "report.md", "cloud.png", "net.png", "surface.png", "error.png", "convergence.png" };
 enum { PRODUCTS = sizeof products / sizeof products[0] };
 
-/* The staging folder: inside the output folder, so that moving out of it is a rename. */
-static et_status open_stage(char stage[PATH], const char *directory, et_message *message)
-{
-    et_status status = make_directory(directory, message);
+/* The staging folder: inside the output folder, so that moving out of it is a rename.  One at a time, known to the handler of signals. */
+static char stage[PATH];
 
-    if (status == ET_OK) {
-        char name[32];
-        snprintf(name, sizeof name, ".part-%ld", (long)getpid());
-        in(stage, directory, name);
-        if (mkdir(stage, 0777) != 0)
-            status = et_status_fail(message, ET_EIO, "cannot make a folder in %s: %s", directory, strerror(errno));
-    }
-    return status;
-}
-
-static void drop_stage(const char *stage)
+/* Only what may be called in a handler. */
+static void drop_stage(void)
 {
     char path[PATH];
 
@@ -148,20 +141,85 @@ static void drop_stage(const char *stage)
     rmdir(stage);
 }
 
+static et_status open_stage(const char *directory, et_message *message)
+{
+    in(stage, directory, ".part-XXXXXX");
+    if (!mkdtemp(stage))
+        return et_status_fail(message, ET_EIO, "cannot make a folder in %s: %s", directory, strerror(errno));
+    cli_on_end(drop_stage);
+    return ET_OK;
+}
+
+/* Runs that publish into one folder do so one after the other.  The lock file is removed while it is held, so whoever waited for it
+ * looks whether it is still the one that stands there. */
+static int lock_directory(const char *directory, char path[PATH])
+{
+    struct flock whole;
+    struct stat held, there;
+
+    memset(&whole, 0, sizeof whole);
+    whole.l_type = F_WRLCK;
+    whole.l_whence = SEEK_SET;
+    for (;;) {
+        const int lock = open(in(path, directory, ".lock"), O_RDWR | O_CREAT, 0666);
+        if (lock < 0)
+            return -1;
+        if (fcntl(lock, F_SETLKW, &whole) == 0 && fstat(lock, &held) == 0 && stat(path, &there) == 0 && held.st_ino == there.st_ino)
+            return lock;
+        close(lock);
+        if (errno == EINTR && cli_stopped())
+            return -1;
+    }
+}
+
 /* What was not made this time is removed: a picture of an earlier run must not stand beside this one's numbers. */
-static et_status publish(const char *stage, const char *directory, et_message *message)
+static et_status move_all(const char *directory, et_message *message)
 {
     char from[PATH], to[PATH];
+    struct stat there;
 
+    for (size_t k = 0; k < PRODUCTS; k++)
+        if (stat(in(to, directory, products[k]), &there) == 0 && S_ISDIR(there.st_mode))
+            return et_status_fail(message, ET_EIO, "cannot write %s: a folder stands there", to);
     for (size_t k = 0; k < PRODUCTS; k++)
         if (rename(in(from, stage, products[k]), in(to, directory, products[k])) != 0
             && !(errno == ENOENT && (unlink(to) == 0 || errno == ENOENT)))
             return et_status_fail(message, ET_EIO, "cannot write %s: %s", to, strerror(errno));
-    rmdir(stage);
     return ET_OK;
 }
 
-static et_status write_mesh(cli_reconstruction *r, const char *stage, const reconstruct_options *o, et_message *message)
+static et_status publish(const char *directory, et_message *message)
+{
+    char path[PATH];
+    const int lock = lock_directory(directory, path);
+    et_status status;
+
+    if (lock < 0)
+        return et_status_fail(message, ET_EIO, "cannot lock %s: %s", path, strerror(errno));
+    status = move_all(directory, message);
+    unlink(path);
+    close(lock);
+    return status;
+}
+
+/* How far the single precision of STL may move a vertex, as a share of the mesh's longest side: half an ulp of a float, 2^-24, of the
+ * greatest coordinate. */
+static double stl_rounding(const et_tessellation *mesh)
+{
+    et_vec3 lo = mesh->vertices[0], hi = lo;
+    double most = 0, side;
+
+    for (size_t k = 0; k < mesh->nvertices; k++) {
+        const et_vec3 v = mesh->vertices[k];
+        lo.x = fmin(lo.x, v.x), lo.y = fmin(lo.y, v.y), lo.z = fmin(lo.z, v.z);
+        hi.x = fmax(hi.x, v.x), hi.y = fmax(hi.y, v.y), hi.z = fmax(hi.z, v.z);
+        most = fmax(most, fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z))));
+    }
+    side = fmax(hi.x - lo.x, fmax(hi.y - lo.y, hi.z - lo.z));
+    return side > 0 ? 0x1p-24 * most / side : 0;
+}
+
+static et_status write_mesh(cli_reconstruction *r, const reconstruct_options *o, et_message *message)
 {
     const et_surface_file *final = cli_final(r);
     char path[PATH];
@@ -174,9 +232,12 @@ static et_status write_mesh(cli_reconstruction *r, const char *stage, const reco
     r->vertices = mesh.nvertices;
     r->triangles = mesh.ntriangles;
     r->volume = et_tessellation_volume(&mesh);
+    r->stl_rounding = stl_rounding(&mesh);
     status = et_tessellation_write_obj(in(path, stage, "surface.obj"), &mesh, message);
     if (status == ET_OK)
         status = et_tessellation_write_stl(in(path, stage, "surface.stl"), &mesh, message);
+    if (status == ET_EINVAL)              /* the only thing a made mesh can be refused for */
+        status = et_status_fail(message, ET_EFORMAT, "surface.stl: the coordinates do not fit the single precision of STL");
     et_tessellation_free(&mesh);
     return status;
 }
@@ -196,7 +257,7 @@ static et_status write_data(cli_reconstruction *r, const et_cloud *cloud, const 
     if (status == ET_OK)
         status = et_iges_write(in(path, d, "surface.igs"), &final->fit.shell, &final->frame, message);
     if (status == ET_OK)
-        status = write_mesh(r, d, o, message);
+        status = write_mesh(r, o, message);
     if (status == ET_OK)
         status = cli_write_history(in(path, d, "history.csv"), r->refined, r->nrefined, message);
     if (status == ET_OK) {
@@ -284,20 +345,25 @@ static et_status draw(const cli_reconstruction *r, const et_cloud *cloud, const 
 
 static et_status write_all(cli_reconstruction *r, const et_cloud *cloud, const reconstruct_options *o, et_message *message)
 {
-    char stage[PATH];
-    et_status status = open_stage(stage, o->directory, message);
+    int made = 0;
+    et_status status = make_directory(&made, o->directory, message);
 
     if (status != ET_OK)
         return status;
-    status = write_data(r, cloud, stage, o, message);
-    if (status == ET_OK && r->pictures)
-        status = draw(r, cloud, stage, message);
-    if (status == ET_OK)
-        status = cli_check(message);
-    if (status == ET_OK)
-        status = publish(stage, o->directory, message);
-    if (status != ET_OK)
-        drop_stage(stage);
+    status = open_stage(o->directory, message);
+    if (status == ET_OK) {
+        status = write_data(r, cloud, stage, o, message);
+        if (status == ET_OK && r->pictures)
+            status = draw(r, cloud, stage, message);
+        if (status == ET_OK)
+            status = cli_check(message);
+        if (status == ET_OK)
+            status = publish(o->directory, message);
+        cli_on_end(NULL);
+        drop_stage();
+    }
+    if (status != ET_OK && made)
+        rmdir(o->directory);
     return status;
 }
 
@@ -323,6 +389,7 @@ static et_status run_it(const char *path, const reconstruct_options *o, cli_run 
         return status;
     memset(&r, 0, sizeof r);
     r.cloud = path;
+    run->input = path;
     r.points = cloud.count;
     r.seed = run->seed;
     r.approach = (size_t)o->fit.approach;
@@ -337,7 +404,11 @@ static et_status run_it(const char *path, const reconstruct_options *o, cli_run 
         json_t *summary = cli_json_summary(&r);
         status = cli_print(summary, message);
         json_decref(summary);
-    } else if (status == ET_OK) {
+    }
+    if (status == ET_OK && r.stl_rounding > 1e-4 && !run->quiet)
+        fprintf(stderr, "etalon reconstruct: warning: the single precision of STL moves vertices by up to %.2g of the mesh's size, so far from the\n"
+                        "origin is this cloud; use surface.obj or surface.igs\n", r.stl_rounding);
+    if (status == ET_OK && !run->json) {
         cli_say(run, "closed surface%s in %s; start with %s/report.md", r.pictures ? ", CAD files and pictures" : " and CAD files", o->directory,
                 o->directory);
     }

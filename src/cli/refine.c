@@ -1,6 +1,7 @@
 /* refine: the control points of a closed surface are moved to lessen its error. */
 #include "cli/cli.h"
 #include "etalon/io/iges.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,12 +34,12 @@ static et_status finish(const cli_refined *r, const refine_files *f, const cli_r
     if (r->stopped)
         return f->surface && strcmp(f->surface, "-") != 0 ? partial(r, f->surface, message)
                                                           : et_status_fail(message, ET_ESTOPPED, "interrupted after %zu steps", r->steps);
-    if (f->surface)
-        status = et_json_write_surface(f->surface, &r->surface, message);
-    if (status == ET_OK && f->iges)
+    if (f->iges)
         status = et_iges_write(f->iges, &r->surface.fit.shell, &r->surface.frame, message);
     if (status == ET_OK && f->history)
         status = cli_write_history(f->history, r, 1, message);
+    if (status == ET_OK && f->surface)
+        status = et_json_write_surface(f->surface, &r->surface, message);
     if (status == ET_OK && run->json) {
         json_t *object = cli_json_refined(r);
         status = cli_print(object, message);
@@ -64,6 +65,20 @@ static et_status matches(const et_surface_file *surface, const et_net_file *net,
     return ET_OK;
 }
 
+/* A surface tells its error at its net; another net of the same sides has another one.  1e-6: files of other programs round otherwise. */
+static et_status belongs(const et_surface_file *surface, const et_net_file *net, const refine_files *f, const char *path, et_message *message)
+{
+    et_surface_file here = *surface;
+    const et_status status = cli_surface_measure(&here, net->weights);
+
+    if (status != ET_OK)
+        return et_status_fail(message, status, "%s cannot be measured: %s", path, et_status_text(status));
+    if (fabs(here.error.nov - surface->error.nov) > 1e-6 * fmax(here.error.nov, surface->error.nov) + 1e-12)
+        return et_status_fail(message, ET_EFORMAT, "%s was not fitted to the net in %s: its error there is %.6g, not %.6g", path, f->net, here.error.nov,
+                              surface->error.nov);
+    return ET_OK;
+}
+
 static et_status run_it(const char *path, const refine_files *f, const cli_refine_options *o, cli_run *run, et_message *message)
 {
     et_surface_file surface;
@@ -76,6 +91,8 @@ static et_status run_it(const char *path, const refine_files *f, const cli_refin
     status = et_json_read_net(&net, f->net, message);
     if (status == ET_OK) {
         status = matches(&surface, &net, f, path, message);
+        if (status == ET_OK)
+            status = belongs(&surface, &net, f, path, message);
         if (status == ET_OK) {
             const et_task task = cli_task(run, cli_algorithm_name((size_t)f->algorithm));
             status = cli_refine(&refined, &surface, net.weights, (cli_algorithm)f->algorithm, o, run->seed, 0, &task, message);
@@ -121,6 +138,9 @@ et_status cli_refine_command(int argc, char **argv, et_message *message)
         return et_status_fail(message, ET_EINVAL, "--net and --with are needed; usage: %s", help.usage);
     if ((o.checkpoint || o.resume) && f.algorithm > CLI_PSO)
         return et_status_fail(message, ET_EINVAL, "--checkpoint and --resume are for ga, de, pso");
-    status = cli_refine_settle(&o, message);
+    const char *const paths[] = { f.surface, f.iges, f.history, o.checkpoint };
+    status = cli_distinct(paths, sizeof paths / sizeof paths[0], message);
+    if (status == ET_OK)
+        status = cli_refine_settle(&o, message);
     return status == ET_OK ? run_it(positional[0], &f, &o, &run, message) : status;
 }

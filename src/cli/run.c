@@ -8,17 +8,46 @@
 #include <time.h>
 #include <unistd.h>
 
-static volatile sig_atomic_t stop_asked;
+static volatile sig_atomic_t stop_asked, at_once;
+static void (*volatile clean_up)(void);
 
-/* The first signal asks; the second ends at once, leaving no temporary behind. */
+/* One press may come twice: timeout(1) tells the process and then its group. */
+static struct timespec asked;
+static int long_since_asked(void)
+{
+    struct timespec now;
+
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)(now.tv_sec - asked.tv_sec) + 1e-9 * (double)(now.tv_nsec - asked.tv_nsec) > 0.3;
+}
+
+/* The first signal asks; the second, or the first where nothing is worth waiting for, ends at once and leaves no temporary behind. */
 static void on_signal(int number)
 {
+    static const char said[] = "etalon: interrupted; nothing was written\n";
+
     (void)number;
-    if (stop_asked) {
+    if (at_once || (stop_asked && long_since_asked())) {
         et_file_abandon_all();
+        if (clean_up)
+            clean_up();
+        if (write(STDERR_FILENO, said, sizeof said - 1) < 0)
+            _exit(130);
         _exit(130);
     }
+    if (!stop_asked)
+        clock_gettime(CLOCK_MONOTONIC, &asked);
     stop_asked = 1;
+}
+
+void cli_end_at_once(void)
+{
+    at_once = 1;
+}
+
+void cli_on_end(void (*function)(void))
+{
+    clean_up = function;
 }
 
 void cli_signals(void)
@@ -29,6 +58,7 @@ void cli_signals(void)
     action.sa_handler = on_signal;
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGHUP, &action, NULL);
     action.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &action, NULL);   /* closed pipe, file too large: errors of the write, not ends of the program */
     sigaction(SIGXFSZ, &action, NULL);
@@ -127,4 +157,13 @@ et_status cli_print(const json_t *object, et_message *message)
     const int bad = puts(text) < 0 || fflush(stdout) != 0;
     free(text);
     return bad ? et_status_fail(message, ET_EIO, "cannot write to standard output") : ET_OK;
+}
+
+et_status cli_distinct(const char *const *paths, size_t n, et_message *message)
+{
+    for (size_t a = 0; a < n; a++)
+        for (size_t b = a + 1; b < n; b++)
+            if (paths[a] && paths[b] && strcmp(paths[a], paths[b]) == 0 && strcmp(paths[a], "-") != 0)
+                return et_status_fail(message, ET_EINVAL, "%s is named for two different files", paths[a]);
+    return ET_OK;
 }

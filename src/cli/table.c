@@ -1,6 +1,7 @@
 /* table: the rows of a comparison as text, CSV and JSON, and against a baseline. */
 #include "cli/compare.h"
 #include "etalon/io/file.h"
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -134,36 +135,72 @@ static int same_number(double a, double b, double tolerance)
     return fabs(a - b) <= tolerance * fmax(fabs(a), fabs(b));
 }
 
-/* The first figure of a row that differs from the baseline's, or null. */
-static const char *row_differs(const json_t *now, const json_t *then)
+/* The first member, but for processor times, in which two objects differ; null if none.  loose: numbers may differ by ceres_tolerance. */
+static const char *object_differs(const json_t *now, const json_t *then, int loose)
 {
-    static const char *const words[] = { "readings", "control", "method", "contender", "runs", "evaluations" };
-    static const char *const figures[] = { "error", "least", "greatest", "error_as_printed", "seam_gap" };
-    const char *contender = json_string_value(json_object_get(now, "contender"));
-    const int ceres = strncmp(contender, "ceres", 5) == 0;
+    const char *key;
+    json_t *value;
 
-    for (size_t k = 0; k < sizeof words / sizeof words[0] - (ceres ? 1 : 0); k++)
-        if (!json_equal(json_object_get(now, words[k]), json_object_get(then, words[k])))
-            return words[k];
-    for (size_t k = 0; k < sizeof figures / sizeof figures[0]; k++) {
-        const json_t *b = json_object_get(then, figures[k]);
-        if (!json_is_number(b)
-            || !same_number(json_number_value(json_object_get(now, figures[k])), json_number_value(b), ceres ? ceres_tolerance : 0))
-            return figures[k];
+    json_object_foreach((json_t *)now, key, value) {
+        const json_t *other = json_object_get(then, key);
+        if (strcmp(key, "seconds") == 0 || (loose && strcmp(key, "evaluations") == 0))
+            continue;
+        if (loose && json_is_real(value)
+                ? !json_is_number(other) || !same_number(json_real_value(value), json_number_value(other), ceres_tolerance)
+                : !json_equal(value, other))
+            return key;
     }
+    json_object_foreach((json_t *)then, key, value)
+        if (!json_object_get(now, key))
+            return key;
     return NULL;
 }
 
-static et_status against_baseline(const json_t *table, const char *path, et_message *message)
+static const char *row_differs(const json_t *now, const json_t *then)
 {
+    return object_differs(now, then, strncmp(json_string_value(json_object_get(now, "contender")), "ceres", 5) == 0);
+}
+
+/* Everything above the rows; not the cloud's name, for a file may be moved, and not times. */
+static const char *head_differs(const json_t *now, const json_t *then)
+{
+    static const char *const members[] = { "format", "version", "points", "seed", "start", "generations" };
+
+    for (size_t k = 0; k < sizeof members / sizeof members[0]; k++)
+        if (!json_equal(json_object_get(now, members[k]), json_object_get(then, members[k])))
+            return members[k];
+    return object_differs(json_object_get(now, "som"), json_object_get(then, "som"), 0) ? "som" : NULL;
+}
+
+et_status compare_baseline_read(comparison *t, et_message *message)
+{
+    const char *path = t->options->baseline;
     json_error_t error;
-    json_t *then = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+    FILE *stream;
+
+    if (!path)
+        return ET_OK;
+    stream = fopen(path, "rb");
+    if (!stream)
+        return et_status_fail(message, ET_EIO, "cannot read %s: %s", path, strerror(errno));
+    t->baseline = json_loadf(stream, JSON_REJECT_DUPLICATES, &error);
+    fclose(stream);
+    if (!t->baseline)
+        return et_status_fail(message, ET_EFORMAT, "%s:%d: %s", path, error.line, error.text);
+    if (!json_is_array(json_object_get(t->baseline, "rows")))
+        return et_status_fail(message, ET_EFORMAT, "%s: no table of a comparison", path);
+    return ET_OK;
+}
+
+static et_status against_baseline(const json_t *table, const json_t *then, const char *path, et_message *message)
+{
     const json_t *a = json_object_get(table, "rows"), *b = json_object_get(then, "rows");
+    const char *head;
     size_t different = 0;
 
-    if (!json_is_array(b)) {
-        json_decref(then);
-        return et_status_fail(message, then ? ET_EFORMAT : ET_EIO, "%s:%d: %s", path, error.line, then ? "no table of a comparison" : error.text);
+    if ((head = head_differs(table, then)) != NULL) {
+        different++;
+        fprintf(stderr, "etalon compare: %s differs from the baseline\n", head);
     }
     for (size_t k = 0; k < json_array_size(a) || k < json_array_size(b); k++) {
         const json_t *x = json_array_get(a, k), *y = json_array_get(b, k);
@@ -173,8 +210,7 @@ static et_status against_baseline(const json_t *table, const char *path, et_mess
             fprintf(stderr, "etalon compare: row %zu differs from the baseline in its %s\n", k + 1, what);
         }
     }
-    json_decref(then);
-    return different ? et_status_fail(message, ET_EDIFFER, "%zu rows differ from %s", different, path) : ET_OK;
+    return different ? et_status_fail(message, ET_EDIFFER, "%zu entries differ from %s", different, path) : ET_OK;
 }
 
 /* ---- delivery ------------------------------------------------------------------------------------------------------------ */
@@ -203,7 +239,7 @@ et_status compare_deliver(const comparison *t, const cli_run *run, et_message *m
         }
     }
     if (status == ET_OK && o->baseline)
-        status = against_baseline(table, o->baseline, message);
+        status = against_baseline(table, t->baseline, o->baseline, message);
     json_decref(table);
     return status;
 }

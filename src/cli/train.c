@@ -43,7 +43,9 @@ et_status cli_train_command(int argc, char **argv, et_message *message)
     et_status status = cli_parse(positional, &n, argc, argv, options, 1 + CLI_TRAIN_OPTIONS + CLI_COMMON, &help, message);
     if (status != ET_OK || run.help)
         return status;
+    cli_end_at_once();
     o.frame = (et_frame_kind)frame;
+    run.input = positional[0];
     status = et_cloud_read(&cloud, positional[0], message);
     if (status != ET_OK)
         return status;

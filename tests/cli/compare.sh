@@ -38,4 +38,19 @@ holds "two modes" "sorted(set(r['readings'] for r in j['rows'])) == ['default', 
 says "empty list" 2 "control" "$etalon" compare s.xyz --control ,
 says "twice" 2 "twice" "$etalon" compare s.xyz --method chord,chord
 says "unknown refiner" 2 "does not know 'abc'" "$etalon" compare s.xyz --with abc
+printf 'my notes' > notes.txt
+says "a file that is no journal" 3 "not a journal" "$etalon" compare s.xyz $common --journal notes.txt
+[ "$(cat notes.txt)" = "my notes" ] && pass "and it stays" || fail "and it stays"
+says "a journal that is no file" 4 "journal" "$etalon" compare s.xyz $common --journal /dev/full
+says "one file for two things" 2 "two different files" "$etalon" compare s.xyz $common --json -o t.json --baseline t.json
+says "a baseline that is not there" 4 "nofile" "$etalon" compare s.xyz $common --baseline nofile
+echo '{' > broken.json
+says "a baseline that is not JSON" 3 "broken.json" "$etalon" compare s.xyz $common --baseline broken.json
+python3 - <<'P'
+import json
+for what, change in (('non', lambda t: t['rows'][0].update(error_non=1.0)), ('qe', lambda t: t['som'].update(qe=1.0)), ('seed', lambda t: t.update(seed='9'))):
+    t = json.load(open('t.json')); change(t); json.dump(t, open(what + '.json', 'w'))
+P
+for what in non qe seed; do says "the baseline's $what is compared" 1 "differ" "$etalon" compare s.xyz $common --format csv -o x.csv --baseline $what.json; done
+says "a size twice" 2 "twice" "$etalon" compare s.xyz --control 4x4,4x4
 finish

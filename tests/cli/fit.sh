@@ -38,4 +38,7 @@ want "IGES" 0 "$etalon" fit n.json --iges s.igs
 cp joint.json earlier.json
 says "disk full" 4 "cannot write" sh -c "ulimit -f 4; exec '$etalon' fit n.json --approach improved -o joint.json"
 same "the earlier surface stays" joint.json earlier.json
+says "a second file that cannot be written" 4 "nowhere" "$etalon" fit n.json --approach improved --control 5x5 -o joint.json --iges nowhere/x.igs
+same "leaves the first as it was" joint.json earlier.json
+says "standard output is full" 4 "standard output" sh -c "'$etalon' fit n.json > /dev/full"
 finish

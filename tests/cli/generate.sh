@@ -39,4 +39,15 @@ want "help" 0 "$etalon" generate --help
 want "version" 0 "$etalon" --version
 want "no command" 2 "$etalon"
 says "unknown command" 2 "unknown command 'frobnicate'" "$etalon" frobnicate
+says "a cube with two sizes" 2 "cube" "$etalon" generate cube --size 2x5
+says "no threads" 2 "threads" "$etalon" generate cube --threads 0
+want "version to a full disk" 4 sh -c "'$etalon' --version > /dev/full"
+cp cube.xyz earlier.xyz
+python3 - "$etalon" <<'P' && pass "interrupted at once" || fail "interrupted at once"
+import os, signal, subprocess, sys, time
+p = subprocess.Popen([sys.argv[1], 'generate', 'cube', '--size', '1200', '-o', 'cube.xyz'], stderr=subprocess.DEVNULL)
+time.sleep(0.8); p.send_signal(signal.SIGINT); t = time.time()
+raise SystemExit(p.wait() != 130 or time.time() - t > 1)
+P
+same "and the earlier file stays" cube.xyz earlier.xyz
 finish

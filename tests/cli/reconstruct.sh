@@ -54,4 +54,25 @@ diff -r all.d before.d > /dev/null && pass "disk full: the earlier result stays"
 timeout -s INT 2 "$etalon" reconstruct s.xyz --refine pso --generations 100000000 -q -o all.d > out 2> err
 grep -q "nothing was written" err && pass "interrupted" || fail "interrupted" "$(cat err)"
 diff -r all.d before.d > /dev/null && pass "interrupted: the earlier result stays" || fail "interrupted: the earlier result stays"
+[ -z "$(ls -A all.d | grep '^\.')" ] && pass "interrupted: nothing is left behind" || fail "interrupted: nothing is left behind" "$(ls -A all.d)"
+quick="--grid 6x6 --control 5x5 --refine none --no-pictures -q"
+mkdir -p blocked.d/surface.json
+echo old > blocked.d/net.json
+says "a folder where a file belongs" 4 "surface.json: a folder" "$etalon" reconstruct s.xyz $quick -o blocked.d
+[ "$(cat blocked.d/net.json)" = old ] && pass "and nothing was moved" || fail "and nothing was moved"
+"$etalon" generate cube -o c.xyz
+for k in 1 2 3 4 5 6; do
+    "$etalon" reconstruct s.xyz $quick -o both.d & "$etalon" reconstruct c.xyz $quick -o both.d
+    wait
+    from=$(python3 -c 'import json; print(json.load(open("both.d/summary.json"))["cloud"]["file"])')
+    grep -q "Reconstruction of $from" both.d/report.md || fail "two runs into one folder do not mix" "run $k"
+done
+pass "two runs into one folder were tried"
+[ -z "$(ls -A both.d | grep '^\.')" ] && pass "no lock, no staging folder is left" || fail "no lock, no staging folder is left" "$(ls -A both.d)"
+awk '{ printf "%.6f %.6f %.6f\n", 500000 + $1, 4649776 + $2, 120 + $3 }' s.xyz > utm.xyz
+says "the single precision of STL is warned of" 0 "single precision" "$etalon" reconstruct utm.xyz --grid 6x6 --control 5x5 --refine none --no-pictures -o utm.d
+holds "and measured" "0.1 < j['mesh']['stl_rounding'] < 0.5" utm.d/summary.json
+printf '0 0 0\n1e300 1 1\n-1e300 2 2\n3 3 1e300\n' > huge.xyz
+says "a cloud beyond single precision" 3 "STL" "$etalon" reconstruct huge.xyz $quick -o huge.d
+absent "and no empty folder is left" huge.d
 finish

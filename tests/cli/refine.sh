@@ -33,6 +33,13 @@ says "resume with other settings" 3 "settings" "$etalon" refine s.json --net n.j
 says "resume another algorithm" 3 "algorithm" "$etalon" refine s.json --net n.json --with pso --seed 3 --resume state
 want "faithful" 0 "$etalon" refine s.json --net n.json --with de --faithful --json
 holds "the box keeps the gain small" "0 < j['before'] - j['after'] < 0.01" out
+sed 's/"version": 1/"version": 99/' state > later.state
+says "a checkpoint of another version" 3 "version" "$etalon" refine s.json --net n.json --with de --seed 3 --resume later.state
+python3 -c 'import json; s = json.load(open("state")); s["best_value"] = -1.0; json.dump(s, open("lying.state", "w"))'
+says "a checkpoint that lies" 3 "not those of its points" "$etalon" refine s.json --net n.json --with de --seed 3 --resume lying.state
+"$etalon" train c.xyz --grid 10x10 --seed 9 -q -o n9.json
+says "a net of the same sides, trained otherwise" 3 "not fitted to the net" "$etalon" refine s.json --net n9.json --with de
+says "one file for two things" 2 "two different files" "$etalon" refine s.json --net n.json --with de -o x --history x
 says "no net" 2 "needed" "$etalon" refine s.json --with de
 says "no algorithm" 2 "needed" "$etalon" refine s.json --net n.json
 says "population of 3" 2 "population" "$etalon" refine s.json --net n.json --with de --population 3
