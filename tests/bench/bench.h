@@ -26,6 +26,9 @@ void bench_head(void);
  * work; memory is this process's peak so far.  goal_ratio 0: no goal.  Returns 1 if the goal is met or there is none. */
 int bench_row(const char *item, const char *size, const char *peer, double peer_seconds, double our_seconds, double goal_ratio, double residual);
 
+/* The goal of this build: `native` when the peers' folder (BENCH_BIN) is the native build's, else `portable`. */
+double bench_goal(double portable, double native);
+
 /* The line of a peer that is not there. */
 void bench_skip(const char *item, const char *size, const char *peer);
 

@@ -108,7 +108,7 @@ static int compare_search(job *j, const char *item, et_search_step step, double 
         printf("ours: %s %.3g s for 80,040 evaluations\n", item, seconds);
         return 1;
     }
-    return bench_row(item, "580x3,80040", r.version, r.seconds, seconds, 4.0, (best - r.residual) / (start - r.residual));
+    return bench_row(item, "580x3,80040", r.version, r.seconds, seconds, bench_goal(4, 8), (best - r.residual) / (start - r.residual));
 }
 
 int main(void)
@@ -126,7 +126,7 @@ int main(void)
     bench_head();
     const double seconds = bench_min(full, &j, 5, NULL) / REPEATS;
     if (peer(&r, "peer_dense", "objective", "20x20,18x18"))
-        met &= bench_row("objective", "20x20,18x18", r.version, r.seconds, seconds, 4.0, fabs(r.residual - start) / start);
+        met &= bench_row("objective", "20x20,18x18", r.version, r.seconds, seconds, bench_goal(4, 8), fabs(r.residual - start) / start);
     const double part = bench_min(incremental, &j, 5, NULL) / REPEATS;
     if (peer(&r, "peer_dense", "objective", "20x20,18x18"))
         bench_row("objective, one point moved", "20x20,18x18", r.version, r.seconds, part, 0.0, 0.0);
