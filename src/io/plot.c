@@ -144,15 +144,56 @@ static void put_point(FILE *script, et_vec3 p)
     fprintf(script, "%.9g %.9g %.9g\n", p.x, p.y, p.z);
 }
 
-static void set_space(FILE *script)
+/* The extents of a box, largest first. */
+static void extents(double side[3], const et_vec3 *points, size_t n)
 {
-    fputs("set view equal xyz\n"
-          "set view 62,38\n"
-          "set xlabel 'x'\nset ylabel 'y'\nset zlabel 'z'\n"
-          "set ticslevel 0.06\n"
-          "set xtics nomirror\nset ytics nomirror\nset ztics nomirror\n"
-          "set grid x y lt 1 lc rgb '#cccccc'\n",
-          script);
+    et_vec3 lo = points[0], hi = lo;
+
+    for (size_t k = 1; k < n; k++) {
+        lo.x = fmin(lo.x, points[k].x), lo.y = fmin(lo.y, points[k].y), lo.z = fmin(lo.z, points[k].z);
+        hi.x = fmax(hi.x, points[k].x), hi.y = fmax(hi.y, points[k].y), hi.z = fmax(hi.z, points[k].z);
+    }
+    side[0] = hi.x - lo.x, side[1] = hi.y - lo.y, side[2] = hi.z - lo.z;
+    for (size_t a = 0; a < 2; a++)
+        for (size_t b = a + 1; b < 3; b++)
+            if (side[b] > side[a]) {
+                const double t = side[a];
+                side[a] = side[b];
+                side[b] = t;
+            }
+}
+
+/* 1, 2 or 5 times a power of ten: about a fifth of side. */
+static double tic_step(double side)
+{
+    double step = 1;
+
+    while (step > side / 5)
+        step /= 10;
+    while (step * 10 <= side / 5)
+        step *= 10;
+    return step * 5 <= side / 5 ? 5 * step : step * 2 <= side / 5 ? 2 * step : step;
+}
+
+/* One scale and one step for all axes, so that a long thin body is drawn as one; its picture is enlarged instead. */
+static void set_space(FILE *script, const et_vec3 *points, size_t n)
+{
+    double side[3];
+
+    extents(side, points, n);
+    fprintf(script,
+            "set view equal xyz\n"
+            "set view 62,38,%s\n"
+            "set xlabel 'x'\nset ylabel 'y'\nset zlabel 'z'\n"
+            "set ticslevel 0.06\n"
+            "set grid x y lt 1 lc rgb '#cccccc'\n",
+            side[1] < 0.4 * side[0] ? "1.6" : "1");
+    for (size_t axis = 0; axis < 3; axis++)
+        if (side[0] > 1e-300 && side[0] < 1e300)
+            fprintf(script, "set %ctics nomirror %.3g\n", "xyz"[axis], tic_step(side[0]));
+        else
+            fprintf(script, "set %ctics nomirror\n", "xyz"[axis]);
+    fputs("set xtics offset -0.8,-0.4\nset ytics offset 0.8,-0.2\nset format '%.8g'\n", script);
 }
 
 /* ---- cloud ---- */
@@ -177,7 +218,7 @@ et_status et_plot_cloud(const char *path, const et_vec3 *points, size_t n, const
         if (is_drawn(i, n))
             put_point(c.script, points[i]);
     fputs("EOD\n", c.script);
-    set_space(c.script);
+    set_space(c.script, points, n);
     put_title(c.script, "set title", title);
     fputs("set palette defined (0 '#2166ac', 0.5 '#7fbf7b', 1 '#e08214')\nunset colorbox\nunset key\n", c.script);
     fprintf(c.script, "splot $cloud using 1:2:3:3 with points pt 7 ps %s lc palette\n", n > 5000 ? "0.35" : n > 500 ? "0.6" : "1.2");
@@ -247,7 +288,7 @@ et_status et_plot_net(const char *path, const et_vec3 *weights, et_doublenet net
     put_seam(c.script, weights, net);
     put_view(c.script, weights, net, ET_BOTTOM);
     put_view(c.script, weights, net, ET_TOP);
-    set_space(c.script);
+    set_space(c.script, weights, et_doublenet_nov(net));
     set_ranges(c.script, weights, et_doublenet_nov(net));
     put_title(c.script, "set multiplot layout 1,2 title", title);
     fputs("set key top right\n", c.script);
@@ -329,7 +370,7 @@ et_status et_plot_shell(const char *path, const et_shell *shell, const char *tit
         et_file_abandon(&c.file);
         return et_status_fail(message, status, "plot: %s", et_status_text(status));
     }
-    set_space(c.script);
+    set_space(c.script, shell->view[ET_BOTTOM].points, shell->view[ET_BOTTOM].nu * shell->view[ET_BOTTOM].nv);
     put_title(c.script, "set title", title);
     fprintf(c.script,
             "set key top right\n"
