@@ -72,7 +72,7 @@ static inline int cloud_blank(char c)
 
 /* f without blanks at its ends. */
 cloud_field cloud_trimmed(cloud_field f);
-/* The next field of `rest` and what is left of it; 0 when there is none.  separator: comma or semicolon, blanks around it are not part of
+/* The next field of `rest` and what is left of it; 0 when there is none.  separator: a sign, blanks around it are not part of
  * a field; or a blank, for runs of blanks. */
 int cloud_next_field(cloud_field *f, cloud_field *rest, char separator);
 /* Whether f is the word, capitals or not. */

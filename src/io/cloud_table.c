@@ -34,17 +34,25 @@ static int has(cloud_field f, char c)
     return f.begin < f.end;
 }
 
-/* What stands between the columns: the first of comma, semicolon and blanks after the first field decides (a header's own where it occurs). */
+/* Signs that may stand between columns beside blanks: none that a number, a comment or a name could hold. */
+static const char separators[] = ";,|:&!^~";
+
+static int is_separator(char c)
+{
+    return c != '\0' && strchr(separators, c) != NULL;
+}
+
+/* What stands between the columns: the first separator or blanks after the first field decide (a header's own where it occurs). */
 static char separator_of(const table_form *form, cloud_field line)
 {
     if (form->separator && form->separator != ' ' && has(line, form->separator))
         return form->separator;
     char *p = line.begin;
-    while (p < line.end && !cloud_blank(*p) && *p != ',' && *p != ';')
+    while (p < line.end && !cloud_blank(*p) && !is_separator(*p))
         p++;
     while (p < line.end && cloud_blank(*p))
         p++;
-    return p < line.end && (*p == ',' || *p == ';') ? *p : ' ';
+    return p < line.end && is_separator(*p) ? *p : ' ';
 }
 
 static cloud_field unquoted(cloud_field f)
@@ -60,7 +68,7 @@ static int holds_number(cloud_field line)
     double value;
     cloud_field f = { line.begin, line.begin };
     for (; f.begin < line.end; f.begin = f.end = f.end + 1) {
-        while (f.end < line.end && !cloud_blank(*f.end) && *f.end != ',' && *f.end != ';')
+        while (f.end < line.end && !cloud_blank(*f.end) && !is_separator(*f.end))
             f.end++;
         if (cloud_number(&value, f))
             return 1;
@@ -73,8 +81,11 @@ static et_status take_header(cloud_reader *r, table_form *form, cloud_field line
 {
     static const char *const name[3] = { "x", "y", "z" };
     size_t column[3] = { 0, 0, 0 }, found[3] = { 0, 0, 0 };
-    char separator = has(line, ';') ? ';' : has(line, ',') ? ',' : ' ';
+    char separator = ' ';
     cloud_field f, rest = line;
+    for (size_t k = 0; separator == ' ' && separators[k] != '\0'; k++)
+        if (has(line, separators[k]))
+            separator = separators[k];
     *header = !holds_number(line);
     for (size_t k = 0; *header && cloud_next_field(&f, &rest, separator); k++) {
         for (size_t axis = 0; axis < 3; axis++) {

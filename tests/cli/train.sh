@@ -31,6 +31,11 @@ same "standard input" net.json stdin.json
 awk '{ printf "%.17g;%.17g;%.17g;colour\r\n", $1, $2, $3 }' s.xyz > s.csv
 "$etalon" train s.csv --grid 10x10 --seed 1 -q -o fromcsv.json
 same "semicolons, an extra column and CR LF" net.json fromcsv.json
+for sign in , '|' : '	'; do
+    awk -v s="$sign" 'BEGIN { print "id" s "y" s "x" s "z" } { printf "p%d%s%.17g%s%.17g%s%.17g\n", NR, s, $2, s, $1, s, $3 }' s.xyz > named.csv
+    "$etalon" train named.csv --grid 10x10 --seed 1 -q -o named.json
+    same "named columns between '$sign'" net.json named.json
+done
 says "side of 1" 2 "grid 1x5" "$etalon" train s.xyz --grid 1x5
 says "grid beyond memory" 2 "grid" "$etalon" train s.xyz --grid 99999999999x99999999999
 says "no steps" 2 "iterations" "$etalon" train s.xyz --iterations 0

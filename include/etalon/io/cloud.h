@@ -15,8 +15,8 @@ typedef struct { et_vec3 *points; size_t count; } et_cloud;
 
 /* Read a cloud, points in the order of the file.
  *
- * The format is told from the content (PLY, STL, PCD) and else from the ending (.obj; anything else is XYZ/CSV: any of blank, tab, comma,
- * semicolon between columns, #, // or % comments, extra columns ignored, one header line allowed, and one line with the count before it).
+ * The format is told from the content (PLY, STL, PCD) and else from the ending (.obj; anything else is XYZ/CSV: blanks, or one of , ; | : & ! ^ ~
+ * between columns, #, // or % comments, extra columns ignored, one header line allowed, and one line with the count before it).
  * "-" is standard input.  Of PLY the element vertex is read (ascii, binary of either byte order), of OBJ the lines v, of STL each distinct
  * vertex once, of PCD the data `ascii`.
  *
