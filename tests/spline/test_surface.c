@@ -468,6 +468,41 @@ verdict prop_surface_points_crowded(gen *g)
     return ok ? PASS : FAIL;
 }
 
+/* A domain so narrow that cells to its width overflow: no table, and the same points. */
+verdict prop_surface_points_narrow(gen *g)
+{
+    static double u[POINTS], v[POINTS];
+    static et_vec3 S[POINTS];
+    et_surface s;
+    bool across = gen_upto(g, 1) == 1;
+    double step = ldexp(1.0, -1022 + (int)gen_upto(g, 12));
+    if (et_surface_new(&s, 3, 3, 6, 6, 0) != ET_OK) {
+        return FAIL;
+    }
+    for (size_t i = 0; i < 10; i++) {
+        double knot = i < 4 ? 0.0 : i < 6 ? (double)(i - 3) : 3.0;
+        s.u[i] = knot * (across ? 1.0 : step);
+        s.v[i] = knot * (across ? step : 1.0);
+    }
+    for (size_t k = 0; k < 36; k++) {
+        s.points[k] = (et_vec3){(double)(k % 7), (double)(k % 11) - 4.0, 1.0 / (double)(k + 1)};
+    }
+    for (size_t k = 0; k < POINTS; k++) {
+        u[k] = s.u[6] * ((double)(k % 41) / 40.0);
+        v[k] = s.v[6] * ((double)(k * 7 % 64) / 64.0);
+    }
+    double *work = room(&s);
+    et_surface_points(S, &s, u, v, POINTS, work, et_surface_work(&s));
+    bool ok = gen_check(g, et_surface_valid(&s), "not valid");
+    for (size_t k = 0; ok && k < POINTS; k++) {
+        et_vec3 P = et_surface_point(&s, u[k], v[k], work, et_surface_work(&s));
+        ok = gen_check(g, same_point(S[k], P), "point %zu, (%a, %a): %a for %a", k, u[k], v[k], S[k].x, P.x);
+    }
+    free(work);
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
 verdict prop_surface_grid(gen *g)
 {
     double a[20], b[20];
