@@ -1,6 +1,7 @@
 #include "etalon/base/size.h"
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 et_status et_size_mul(size_t *product, size_t a, size_t b)
 {
@@ -11,11 +12,20 @@ et_status et_size_mul(size_t *product, size_t a, size_t b)
     return ET_OK;
 }
 
+/* A cache line, and the widest vector there is.  A BLAS may sum in another order where its operands stand otherwise in memory (ATLAS does): with
+ * one alignment for all arrays the bits do not depend on what was allocated before. */
+enum { ALIGNMENT = 64 };
+
 void *et_size_array(size_t count, size_t size)
 {
     size_t bytes;
+    void *array = NULL;
     if (et_size_mul(&bytes, count, size) != ET_OK) {
         return NULL;
     }
-    return bytes == 0 ? calloc(1, 1) : calloc(bytes, 1);
+    bytes = bytes == 0 ? 1 : bytes;
+    if (posix_memalign(&array, ALIGNMENT, bytes) != 0) {
+        return NULL;
+    }
+    return memset(array, 0, bytes);
 }

@@ -148,6 +148,26 @@ et_status linalg_lsq_cholesky(double *X, size_t *rank, const double *A, size_t m
     return status == ET_ERANK ? linalg_deficient(rank, A, m, n) : status;
 }
 
+/* dgelsd with workspace of our own: of one alignment, see et_size_array. */
+static lapack_int least_norm(double *Q, double *C, double *sigma, lapack_int *rank, lapack_int m, lapack_int n, lapack_int k)
+{
+    const lapack_int most = m < n ? n : m;
+    const double rcond = (double)most * ET_EPS;
+    double room = 0, *work;
+    lapack_int iroom = 0, *iwork, info = LAPACKE_dgelsd_work(LAPACK_COL_MAJOR, m, n, k, Q, m, C, most, sigma, rcond, rank, &room, -1, &iroom);
+
+    if (info != 0)
+        return info;
+    work = et_size_array((size_t)room, sizeof *work);
+    iwork = et_size_array((size_t)iroom, sizeof *iwork);
+    info = LAPACK_WORK_MEMORY_ERROR;
+    if (work != NULL && iwork != NULL)
+        info = LAPACKE_dgelsd_work(LAPACK_COL_MAJOR, m, n, k, Q, m, C, most, sigma, rcond, rank, work, (lapack_int)room, iwork);
+    free(work);
+    free(iwork);
+    return info;
+}
+
 et_status linalg_lsq_svd(double *X, size_t *rank, const double *A, size_t m, size_t n, const double *B, size_t k)
 {
     const size_t most = m < n ? n : m;
@@ -156,8 +176,7 @@ et_status linalg_lsq_svd(double *X, size_t *rank, const double *A, size_t m, siz
     lapack_int info, found = 0;
 
     if (Q != NULL && C != NULL && sigma != NULL) {
-        info = LAPACKE_dgelsd(LAPACK_COL_MAJOR, (lapack_int)m, (lapack_int)n, (lapack_int)k, Q, (lapack_int)m, C, (lapack_int)most, sigma,
-                              (double)most * ET_EPS, &found);
+        info = least_norm(Q, C, sigma, &found, (lapack_int)m, (lapack_int)n, (lapack_int)k);
         status = info > 0 ? ET_ENOCONV : status_of(info);
     }
     if (status == ET_OK) {

@@ -582,7 +582,8 @@ static bool scaled(gen *g, const problem *c, const et_fit *f, int k)
     for (size_t w = 0; w < 2; w++)
         for (size_t i = 0; i < c->options.control.nx * c->options.control.ny; i++) {
             const et_vec3 a = f->shell.view[w].points[i], b = h.shell.view[w].points[i];
-            ok = gen_check(g, b.x == ldexp(a.x, k) && b.y == ldexp(a.y, k) && b.z == ldexp(a.z, k), "scaled by 2^%d: other bits", k) && ok;
+            ok = gen_check(g, b.x == ldexp(a.x, k) && b.y == ldexp(a.y, k) && b.z == ldexp(a.z, k), "scaled by 2^%d: (%a, %a, %a) from (%a, %a, %a)", k, b.x,
+                           b.y, b.z, a.x, a.y, a.z) && ok;
         }
     et_fit_free(&h);
     return ok;

@@ -17,7 +17,7 @@ extern "C" {
 */
 et_status et_size_mul(size_t *product, size_t a, size_t b);
 
-/* A new array of count elements of size bytes each, all bytes zero; count == 0 gives a valid pointer to free.
+/* A new array of count elements of size bytes each, all bytes zero, aligned to 64 bytes; count == 0 gives a valid pointer to free.
  * Returns null when the product overflows or memory is short.  The caller frees it with free().
  * Golden: none (an address). */
 /*@ assigns \result \from count, size;
