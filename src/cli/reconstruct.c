@@ -164,11 +164,14 @@ static int lock_directory(const char *directory, char path[PATH])
         const int lock = open(in(path, directory, ".lock"), O_RDWR | O_CREAT, 0666);
         if (lock < 0)
             return -1;
-        if (fcntl(lock, F_SETLKW, &whole) == 0 && fstat(lock, &held) == 0 && stat(path, &there) == 0 && held.st_ino == there.st_ino)
-            return lock;
-        close(lock);
-        if (errno == EINTR && cli_stopped())
+        if (fcntl(lock, F_SETLKW, &whole) == 0) {
+            if (fstat(lock, &held) == 0 && stat(path, &there) == 0 && held.st_ino == there.st_ino)
+                return lock;
+        } else if (errno != EINTR || cli_stopped()) {
+            close(lock);
             return -1;
+        }
+        close(lock);
     }
 }
 

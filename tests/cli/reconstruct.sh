@@ -1,7 +1,7 @@
 #!/bin/sh
 . "$(dirname "$0")/kit"
 "$etalon" generate sphere -o s.xyz
-want "the issue's line" 0 "$etalon" reconstruct s.xyz --grid 20x20 --control 12x12 --method chord --approach improved --refine de --seed 1 -o out.d
+want "the README's line" 0 "$etalon" reconstruct s.xyz --grid 20x20 --control 12x12 --method chord --approach improved --refine de --seed 1 -o out.d
 for f in cloud.ply net.json fit.json surface.json surface.igs surface.obj surface.stl history.csv summary.json report.md cloud.png net.png surface.png error.png convergence.png; do
     exists "$f" out.d/$f
 done
