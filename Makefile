@@ -8,7 +8,7 @@
 P       ?= release
 BUILD   ?= build
 B       := $(BUILD)/$(P)
-ROOMS   ?= base spline net som fit refine io cli
+ROOMS   ?= base spline net som fit refine exact io cli
 VERSION := 0.1.0
 PREFIX  ?= /usr/local
 T       ?= 10
@@ -46,7 +46,7 @@ CFLAGS   = -std=c99 -pedantic-errors -Wstrict-prototypes -Wvla $(COMMON) $(FLAGS
 # Eigen's types have another layout under -march=native than in the Ceres that is installed.
 CXXFLAGS = -std=c++17 $(COMMON) $(filter-out -march=native,$(FLAGS_$(P))) -isystem /usr/include/eigen3 $(if $(filter asan fuzz,$(P)),-fno-sanitize=vptr)
 LDFLAGS ?= -Wl,--as-needed
-LIBS   := -lceres -lglog -llapacke -llapack -lblas -ljansson -lstdc++ -lm
+LIBS   := -lceres -lglog -llapacke -llapack -lblas -ljansson -lflint-arb -lflint -lmpfr -lgmp -lstdc++ -lm
 LDLIBS  = $(LIBS)
 # GSL is a second opinion: tests and peers only.
 GSL    := -lgsl -lgslcblas
@@ -156,8 +156,8 @@ $(filter %_pagmo,$(PEERS)): $(B)/%: tests/bench/%.cpp $(B)/tests/bench/bench.c.o
 $(B)/tests/bench/peer_som_plain.c.o $(B)/tests/bench/peer_dense.c.o: FLAGS_native = -O2
 
 # Debian's packages; with root (or sudo) they are installed, else named.
-PACKAGES      := gcc g++ liblapacke-dev libceres-dev libgoogle-glog-dev libeigen3-dev libjansson-dev gnuplot-nox
-PACKAGES_TEST := libgsl-dev clang libclang-rt-14-dev valgrind gcovr python3 libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh
+PACKAGES      := gcc g++ liblapacke-dev libceres-dev libgoogle-glog-dev libeigen3-dev libjansson-dev gnuplot-nox libflint-arb-dev libflint-dev libmpfr-dev libgmp-dev
+PACKAGES_TEST := libgsl-dev libdsdp-dev clang libclang-rt-14-dev valgrind gcovr python3 libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh
 PACKAGES_BENCH := libgsl-dev libsisl-dev libocct-modeling-algorithms-dev libpagmo-dev libboost-serialization-dev libtbb-dev python3-scipy r-base-core r-cran-kohonen
 deps:
 	@sh tests/deps.sh $(PACKAGES)
