@@ -1,6 +1,7 @@
 # make              the library and the command          make demo    a cloud becomes a closed surface, from nothing
 # make test         units, properties, golden rows       make check   all tests (installs what they need)
 # make audit        every public name in every room      make floors  nobody includes from above
+# make golden       golden rows made again, and compared make golden-accept   and put in place
 # make fuzz F=NAME T=60   fuzz one property              make cover   line and branch coverage
 # make bench        speed, as ratios to named peers      make install DESTDIR= PREFIX=/usr/local
 # make P=asan ...   the same under another profile: release, native, clang, debug, asan, fuzz, cover
@@ -101,11 +102,19 @@ $(B)/fuzzer: $(FUZZO) $(B)/libetalon.a
 # Each prints one line a test and a last line `N passed, N failed`; sum.sh adds them up.
 SUM := sh tests/sum.sh
 test: $(B)/check
-	@$(SUM) '$(B)/check' $(if $(CORPUS),'$(B)/check --replay $(CORPUS)') $(if $(ROWS),'$(B)/check --golden $(ROWS)')
+	@$(SUM) '$(B)/check' $(if $(CORPUS),'$(B)/check --replay $(CORPUS)') $(if $(ROWS),'$(B)/check --golden $(ROWS)') \
+	  $(if $(ROWS),$(if $(filter exact,$(ROOMS)),'$(B)/check --truth $(ROWS)'))
 harness:
 	@$(SUM) 'sh tests/harness.sh $(BUILD)/harness $(CC_release)' 'sh tests/harness/rooms.sh $(BUILD)/harness $(CC_release)'
 bites: $(B)/check
 	@$(B)/check --bite $(ROWS)
+# The rows are made again by their generators, and computed by the functions and by the exact layer.
+golden: $(B)/check
+	@$(SUM) '$(MAKE) -s rows' '$(B)/check --golden $(ROWS)' '$(B)/check --truth $(ROWS)'
+rows:
+	@$(SUM) 'sh tests/golden.sh compare $(BUILD)/golden' 'python3 tests/golden/second.py'
+golden-accept:
+	@sh tests/golden.sh accept $(BUILD)/golden
 asan:
 	@UBSAN_OPTIONS=print_stacktrace=1 $(MAKE) P=asan test
 valgrind: $(B)/check
@@ -131,7 +140,7 @@ J := -j$(shell nproc 2> /dev/null || echo 1)
 built: all $(B)/check
 check: deps-test
 	@$(SUM) '$(MAKE) -s $(J) built' '$(MAKE) -s $(J) P=clang built' '$(MAKE) -s $(J) P=asan built' \
-	  '$(MAKE) -s test' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s contracts' '$(MAKE) -s audit' '$(MAKE) -s docs' \
+	  '$(MAKE) -s test' '$(MAKE) -s rows' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s contracts' '$(MAKE) -s audit' '$(MAKE) -s docs' \
 	  'sh tests/install.sh $(BUILD)' 'ET_RUNS=200 $(MAKE) -s P=clang test' '$(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s bits'
 end-to-end: all
 	@$(SUM) $(foreach s,$(sort $(wildcard tests/cli/*.sh)),'sh $(s) $(B)/etalon')
@@ -185,4 +194,4 @@ uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/share/man/man1/etalon.1
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test harness bites asan valgrind audit floors contracts docs bits fuzz cover built check end-to-end bench programs peers deps deps-test demo install uninstall clean
+.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs bits fuzz cover built check end-to-end bench programs peers deps deps-test demo install uninstall clean

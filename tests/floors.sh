@@ -74,6 +74,7 @@ lib=$(echo "$all" | grep -v '^src/cli/')
 only 'LAPACKE in linalg_lapack only'        'lapacke[.]h|LAPACKE_|cblas'                             'src/fit/linalg_lapack.c' $all
 only 'Ceres in ceres.cpp only'              'ceres/ceres[.]h|ceres::'                                'src/refine/ceres.cpp' $all
 only 'jansson in json only'                'jansson[.]h'                                            'src/io/json*' $lib
+only 'ball arithmetic in exact and optimum'  '[<"/](arb|acb|fmpq|fmpz|flint)[a-z_]*[.]h'           'src/exact/* | src/refine/optimum*' $all
 only 'GSL splines in tests only'            'gsl_(bspline|spline|interp)'                           none $all
 only 'no omp.h: pragmas may be ignored'     'omp[.]h|omp_get|omp_set'                                none $all
 only 'no conditional code'                  '^#[ ]*(if[ (]|elif|else|ifdef +([^_]|_[^_])|ifndef +[A-Z0-9_]*[^H]$)' none $all

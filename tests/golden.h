@@ -17,7 +17,8 @@ typedef struct {
     char **want; size_t nwant;
 } row;
 typedef struct { const char *name; verdict (*run)(const row *r); } golden;
-extern const golden goldens[];           /* generated; ends with a null name */
+extern const golden goldens[];           /* gold_NAME: the function itself; generated; ends with a null name */
+extern const golden truths[];            /* true_NAME: the exact layer, for which every class means `exact`; generated */
 
 double row_real(const row *r, size_t i);                 /* argument i as a real (strtod: hex floats, inf, nan) */
 size_t row_size(const row *r, size_t i);                 /* argument i as a count */

@@ -88,6 +88,11 @@ told 'an unknown function is caught' caught 'no such golden check' 'nobody\texac
 told 'an unknown class is caught' caught 'malformed row' 'planted_half\tnearly\tr\t2\t1'
 told 'a missing column is caught' caught 'malformed row' 'planted_half\texact\t2\t1'
 told 'a missing argument is caught' caught 'argument 0' 'planted_half\texact\tr\t\t0'
+denied() { golden "$2"; fails "$check" --truth "$here/rows.tsv" && says "$1"; }
+told 'a tolerant row one ulp off is caught by the exact layer' denied '1 ulps apart' 'planted_half\tulp 3\tr\t2\t0x1.0000000000001p+0'
+told 'a tolerant row that the exact layer does not know is caught' denied 'no exact function' 'planted_count\tulp 1\tr\t4\t5'
+known() { golden "$@"; "$check" --truth "$here/rows.tsv" > "$here/out" && says '2 rows computed again exactly, 1 that the exact layer does not know'; }
+told 'the exact layer knows rows, and leaves strict ones out' known 'planted_half\tulp 1\tr\t2\t1' 'planted_half\tbits\tr\t-0\t0' 'planted_count\texact\tr\t4\t5'
 told 'an empty table is caught' caught 'no rows' '# nothing'
 bites() { golden "$2"; "$1" "$check" --bite "$here/rows.tsv"; }
 told 'altered values are noticed' bites run 'planted_half\tulp 3\tr\t2\t1'

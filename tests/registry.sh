@@ -1,5 +1,6 @@
 #!/bin/sh
-# registry.sh TEST.c...: the C table of every `verdict prop_NAME(gen *g)` and `verdict gold_NAME(const row *r)` defined there.
+# registry.sh TEST.c...: the C tables of every `verdict prop_NAME(gen *g)`, `verdict gold_NAME(const row *r)` and
+# `verdict true_NAME(const row *r)` defined there.
 set -eu
 echo '#include "gen.h"'
 echo '#include "golden.h"'
@@ -7,11 +8,16 @@ list() { grep -hoE "^verdict $1_[a-z0-9_]+\($2\)$" $files | sed -E "s/^verdict $
 files=$*
 props=$(list prop 'gen \*g') || props=
 golds=$(list gold 'const row \*r') || golds=
+truths=$(list true 'const row \*r') || truths=
 for n in $props; do echo "verdict prop_$n(gen *g);"; done
 for n in $golds; do echo "verdict gold_$n(const row *r);"; done
+for n in $truths; do echo "verdict true_$n(const row *r);"; done
 echo 'const property properties[] = {'
 for n in $props; do echo "    { \"$n\", prop_$n },"; done
 echo '    { 0, 0 } };'
 echo 'const golden goldens[] = {'
 for n in $golds; do echo "    { \"$n\", gold_$n },"; done
+echo '    { 0, 0 } };'
+echo 'const golden truths[] = {'
+for n in $truths; do echo "    { \"$n\", true_$n },"; done
 echo '    { 0, 0 } };'

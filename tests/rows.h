@@ -5,10 +5,14 @@
 
 enum { ROW_WHAT = 256, ROW_ALTERED = 64 };
 
-/* line is cut in place; what: the row's function and reason, for the report. */
-verdict row_run(const char *file, size_t lineno, char *line, char what[ROW_WHAT]);
+/* Against which computation: the function itself, as the row's class says, or the exact layer, bit for bit. */
+typedef enum { ROW_GOLDEN, ROW_TRUTH } row_judge;
 
-/* Do the comparisons bite?  Each wanted value of the row is altered as little as its class must notice; how many were, and how many of them the
- * golden check let through. */
-size_t row_bite(const char *file, size_t lineno, char *line, size_t *missed);
+/* line is cut in place; what: the row's function and reason, for the report.  SKIP: the exact layer has no such function, and the row's class is one
+ * that notices every ulp anyhow. */
+verdict row_run(const char *file, size_t lineno, char *line, row_judge judge, char what[ROW_WHAT]);
+
+/* Do the comparisons bite?  Each wanted value of the row is altered as little as the judge must notice; how many were, and how many of them were let
+ * through. */
+size_t row_bite(const char *file, size_t lineno, char *line, row_judge judge, size_t *missed);
 #endif

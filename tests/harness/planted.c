@@ -231,6 +231,11 @@ verdict gold_planted_half(const row *r)
     return row_is(r, 0, row_real(r, 0) / 2) ? PASS : FAIL;
 }
 
+verdict true_planted_half(const row *r)
+{
+    return row_is(r, 0, row_real(r, 0) / 2) ? PASS : FAIL;
+}
+
 verdict gold_planted_count(const row *r)
 {
     return row_is_size(r, 0, row_size(r, 0) + 1) ? PASS : FAIL;
