@@ -1,0 +1,50 @@
+/* exact_sums_parts: what curves and surfaces share: sums of basis functions and control points in integers over a common denominator. */
+#ifndef EXACT_EXACT_SUMS_PARTS_H
+#define EXACT_EXACT_SUMS_PARTS_H
+#include "exact/exact_parts.h"
+
+enum { EXACT_COMPONENTS = 4 };            /* w x, w y, w z, w */
+
+/* Control points in integers: H[4k + 3] is the weight of the k-th point times a power of two, H[4k + a] 2^e its coordinate a times the same.  Without
+ * weights they are 1; as the basis functions add up to 1 exactly, a quotient by the sum for w is right there, too. */
+typedef struct {
+    fmpz *H;
+    size_t n;
+    slong e;
+} exact_net;
+
+/* rows x columns points, the first at `points` and its weight at `weights` (or null), `step` from row to row. */
+void exact_net_init(exact_net *net, const et_vec3 *points, const double *weights, size_t rows, size_t columns, size_t step);
+void exact_net_clear(exact_net *net);
+
+/* A row of basis values: value[r] / denominator. */
+typedef struct {
+    fmpz *value;
+    fmpz_t denominator;
+    size_t n;
+} exact_row;
+
+/* The basis functions at one parameter, row[k] their k-th derivatives, k <= d; the first control point they meet. */
+typedef struct {
+    exact_row *row;
+    size_t d, first;
+} exact_line;
+
+/* n control points of degree p with knots u; x of the domain or clamped to it. */
+void exact_line_init(exact_line *line, const double *u, size_t n, size_t p, double x, size_t d);
+void exact_line_clear(exact_line *line);
+
+/* T[0..4n-1] = sum_r row[r] net[r*stride + first + (0..n-1)], points as they stand in the net. */
+void exact_contract(fmpz *T, size_t n, const exact_row *row, const fmpz *H, size_t stride);
+
+/* The three coordinates 2^e S[a] / S[3]. */
+void exact_project(fmpq *C, const fmpz *S, slong e);
+
+/* C *= 2^e. */
+void exact_scale(fmpq_t C, slong e);
+
+/* 1 if arrays of n rationals can be had, n = a * b; *n as it was if not. */
+int exact_fits(size_t *n, size_t a, size_t b);
+
+et_vec3 exact_round_point(const fmpq *C);
+#endif

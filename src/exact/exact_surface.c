@@ -1,0 +1,197 @@
+#include "exact/exact_sums_parts.h"
+#include <math.h>
+
+/* The control points that two directions' basis functions meet. */
+static void window(exact_net *net, const et_surface *s, const exact_line *u, const exact_line *v)
+{
+    size_t at = u->first * s->nv + v->first;
+    exact_net_init(net, s->points + at, s->weights ? s->weights + at : NULL, s->p + 1, s->q + 1, s->nv);
+}
+
+void exact_surface(fmpq *S, const et_surface *s, double u, double v)
+{
+    exact_line a, b;
+    exact_net net;
+    size_t n = s->q + 1;
+    exact_line_init(&a, s->u, s->nu, s->p, u, 0);
+    exact_line_init(&b, s->v, s->nv, s->q, v, 0);
+    window(&net, s, &a, &b);
+    fmpz *T = _fmpz_vec_init((slong)(EXACT_COMPONENTS * (n + 1)));
+    exact_contract(T, n, a.row, net.H, n);
+    exact_contract(T + EXACT_COMPONENTS * n, 1, b.row, T, 1);
+    exact_project(S, T + EXACT_COMPONENTS * n, net.e);
+    _fmpz_vec_clear(T, (slong)(EXACT_COMPONENTS * (n + 1)));
+    exact_net_clear(&net);
+    exact_line_clear(&a);
+    exact_line_clear(&b);
+}
+
+et_status et_exact_surface_point(et_vec3 *S, const et_surface *s, double u, double v)
+{
+    if (!et_surface_valid(s) || !isfinite(u) || !isfinite(v)) {
+        return ET_EINVAL;
+    }
+    fmpq *C = _fmpq_vec_init(3);
+    exact_surface(C, s, u, v);
+    *S = exact_round_point(C);
+    _fmpq_vec_clear(C, 3);
+    return ET_OK;
+}
+
+/* Where the derivative k times by u and l times by v stands. */
+static size_t place(size_t k, size_t l)
+{
+    return (k + l) * (k + l + 1) / 2 + l;
+}
+
+/* A[4 place(k,l) + a]: the derivatives of w x, w y, w z and w, up to a common power of two. */
+static void homogeneous(fmpq *A, const exact_net *net, const exact_line *u, const exact_line *v)
+{
+    size_t n = v->row->n;
+    fmpz_t denominator;
+    fmpz *T = _fmpz_vec_init((slong)(EXACT_COMPONENTS * (n + 1))), *S = T + EXACT_COMPONENTS * n;
+    fmpz_init(denominator);
+    for (size_t k = 0; k <= u->d; k++) {
+        exact_contract(T, n, u->row + k, net->H, n);
+        for (size_t l = 0; k + l <= v->d; l++) {
+            exact_contract(S, 1, v->row + l, T, 1);
+            fmpz_mul(denominator, u->row[k].denominator, v->row[l].denominator);
+            for (size_t a = 0; a < EXACT_COMPONENTS; a++) {
+                fmpq_set_fmpz_frac(A + EXACT_COMPONENTS * place(k, l) + a, S + a, denominator);
+            }
+        }
+    }
+    fmpz_clear(denominator);
+    _fmpz_vec_clear(T, (slong)(EXACT_COMPONENTS * (n + 1)));
+}
+
+/* Eq. 4.20 of one derivative, those of lower order being quotients already: w S^(k,l) is A^(k,l) less the sum of C(k,i) C(l,j) w^(i,j) S^(k-i,l-j),
+ * (i,j) not (0,0). */
+static void quotient(fmpq *A, size_t k, size_t l)
+{
+    fmpq *S = A + EXACT_COMPONENTS * place(k, l);
+    fmpz_t c, b;
+    fmpq_t f;
+    fmpz_init(c);
+    fmpz_init(b);
+    fmpq_init(f);
+    for (size_t i = 0; i <= k; i++) {
+        for (size_t j = i == 0; j <= l; j++) {
+            const fmpq *w = A + EXACT_COMPONENTS * place(i, j) + 3, *R = A + EXACT_COMPONENTS * place(k - i, l - j);
+            fmpz_bin_uiui(b, (ulong)k, (ulong)i);
+            fmpz_bin_uiui(c, (ulong)l, (ulong)j);
+            fmpz_mul(c, c, b);
+            fmpq_mul_fmpz(f, w, c);
+            for (size_t a = 0; a < 3 && !fmpq_is_zero(f); a++) {
+                fmpq_submul(S + a, f, R + a);
+            }
+        }
+    }
+    for (size_t a = 0; a < 3; a++) {
+        fmpq_div(S + a, S + a, A + 3);
+    }
+    fmpz_clear(c);
+    fmpz_clear(b);
+    fmpq_clear(f);
+}
+
+/* A as above, of `size` entries, becomes S and its derivatives, a coordinate's place unused. */
+static void derivatives(fmpq *A, size_t d, const et_surface *s, double u, double v)
+{
+    exact_line a, b;
+    exact_net net;
+    exact_line_init(&a, s->u, s->nu, s->p, u, d);
+    exact_line_init(&b, s->v, s->nv, s->q, v, d);
+    window(&net, s, &a, &b);
+    homogeneous(A, &net, &a, &b);
+    for (size_t m = 0; m <= d; m++) {
+        for (size_t l = 0; l <= m; l++) {
+            quotient(A, m - l, l);
+        }
+    }
+    for (size_t k = 0; k <= place(0, d); k++) {
+        for (size_t c = 0; c < 3; c++) {
+            exact_scale(A + EXACT_COMPONENTS * k + c, net.e);
+        }
+    }
+    exact_net_clear(&net);
+    exact_line_clear(&a);
+    exact_line_clear(&b);
+}
+
+et_status et_exact_surface_ders(et_vec3 *D, size_t d, const et_surface *s, double u, double v)
+{
+    size_t n, greater = s->p > s->q ? s->p : s->q;
+    if (!et_surface_valid(s) || !isfinite(u) || !isfinite(v)) {
+        return ET_EINVAL;
+    }
+    if (d >= SIZE_MAX - 1 || !exact_fits(&n, d + 1, d + 2) || !exact_fits(&n, d + 1, greater + 1)) {
+        return ET_ENOMEM;
+    }
+    n = place(0, d) + 1;
+    fmpq *A = _fmpq_vec_init((slong)(EXACT_COMPONENTS * n));
+    derivatives(A, d, s, u, v);
+    for (size_t k = 0; k < n; k++) {
+        D[k] = exact_round_point(A + EXACT_COMPONENTS * k);
+    }
+    _fmpq_vec_clear(A, (slong)(EXACT_COMPONENTS * n));
+    return ET_OK;
+}
+
+static int finite(const double *x, size_t n)
+{
+    for (size_t k = 0; k < n; k++) {
+        if (!isfinite(x[k])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* One line of the grid: the sums of all columns, then each point from four of them or so. */
+static void grid_line(et_vec3 *S, fmpz *T, const et_surface *s, const exact_net *net, double a, const exact_line *b, size_t nb)
+{
+    exact_line u;
+    fmpz *sum = T + EXACT_COMPONENTS * s->nv;
+    fmpq *C = _fmpq_vec_init(3);
+    exact_line_init(&u, s->u, s->nu, s->p, a, 0);
+    exact_contract(T, s->nv, u.row, net->H + EXACT_COMPONENTS * u.first * s->nv, s->nv);
+    for (size_t j = 0; j < nb; j++) {
+        exact_contract(sum, 1, b[j].row, T + EXACT_COMPONENTS * b[j].first, 1);
+        exact_project(C, sum, net->e);
+        S[j] = exact_round_point(C);
+    }
+    _fmpq_vec_clear(C, 3);
+    exact_line_clear(&u);
+}
+
+et_status et_exact_surface_grid(et_vec3 *S, const et_surface *s, const double *a, size_t na, const double *b, size_t nb)
+{
+    exact_net net;
+    size_t n;
+    if (!et_surface_valid(s) || !finite(a, na) || !finite(b, nb)) {
+        return ET_EINVAL;
+    }
+    if (!exact_fits(&n, s->nu, s->nv) || !exact_fits(&n, nb, sizeof(exact_line))) {
+        return ET_ENOMEM;
+    }
+    if (na == 0 || nb == 0) {
+        return ET_OK;
+    }
+    exact_line *v = flint_malloc(nb * sizeof *v);
+    for (size_t j = 0; j < nb; j++) {
+        exact_line_init(v + j, s->v, s->nv, s->q, b[j], 0);
+    }
+    exact_net_init(&net, s->points, s->weights, s->nu, s->nv, s->nv);
+    fmpz *T = _fmpz_vec_init((slong)(EXACT_COMPONENTS * (s->nv + 1)));
+    for (size_t i = 0; i < na; i++) {
+        grid_line(S + i * nb, T, s, &net, a[i], v, nb);
+    }
+    _fmpz_vec_clear(T, (slong)(EXACT_COMPONENTS * (s->nv + 1)));
+    exact_net_clear(&net);
+    for (size_t j = 0; j < nb; j++) {
+        exact_line_clear(v + j);
+    }
+    flint_free(v);
+    return ET_OK;
+}
