@@ -198,12 +198,14 @@ verdict gold_basis_work(const row *r)
     return row_is_size(r, 0, et_basis_work(row_size(r, 0), row_size(r, 1))) ? PASS : FAIL;
 }
 
+enum { GOLD_DEGREE = 25, GOLD_WORK = (GOLD_DEGREE + 1) * (GOLD_DEGREE + 5) };
+
 /* degree, order, number of knots, knots, parameter; wanted: the rows of D up to the order, or with `only` the last of them. */
 static bool read_problem(const row *r, problem *b)
 {
     b->p = row_size(r, 0);
     b->nu = row_size(r, 2);
-    if (b->p > REF_DEGREE || b->nu > REF_KNOTS) {
+    if (b->p > GOLD_DEGREE || b->nu > REF_KNOTS) {
         return false;
     }
     for (size_t i = 0; i < b->nu; i++) {
@@ -217,11 +219,11 @@ static bool read_problem(const row *r, problem *b)
 verdict gold_basis_eval(const row *r)
 {
     problem b;
-    double N[REF_DEGREE + 1];
+    double N[GOLD_DEGREE + 1], work[GOLD_WORK];
     if (!read_problem(r, &b)) {
         return FAIL;
     }
-    eval(N, &b);
+    et_basis_eval(N, b.u, b.nu, b.p, b.span, b.x, work, et_basis_work(b.p, 0));
     for (size_t i = 0; i <= b.p; i++) {
         if (!row_is(r, i, N[i])) {
             return FAIL;
@@ -233,7 +235,7 @@ verdict gold_basis_eval(const row *r)
 verdict gold_basis_ders(const row *r)
 {
     problem b;
-    double D[(DERIVATIVES + 1) * (REF_DEGREE + 1)], work[WORK];
+    double D[(DERIVATIVES + 1) * (GOLD_DEGREE + 1)], work[GOLD_WORK];
     size_t d = row_size(r, 1);
     if (!read_problem(r, &b) || d > DERIVATIVES) {
         return FAIL;
