@@ -1,23 +1,12 @@
 """Golden rows of spline/knots: by comparing doubles exactly."""
-from fractions import Fraction as F
-
+from knots_of import BASES, after, families, high_degrees, least, valid
 from rational import Choices, head, row, span
 
 MIN, MAX = 2.0**-1022, 1.7976931348623157e308
 inf, nan = float("inf"), float("nan")
 
 
-def valid(u, p):
-    if len(u) < 2 * p + 2 or any(x != x or abs(x) == inf for x in u):
-        return 0
-    for a, b in zip(u, u[1:]):
-        if b < a or 0 < F(b) - F(a) < F(MIN):
-            return 0
-    # A difference overflows from the middle between the greatest double and 2^1024 on.
-    return int(F(u[-1]) - F(u[0]) < F(2) ** 1024 - F(2) ** 970 and u[p] < u[len(u) - p - 1])
-
-
-def clamped(u, p):
+def is_clamped(u, p):
     return int(len(set(u[:p + 1])) == 1 and len(set(u[-p - 1:])) == 1)
 
 
@@ -42,7 +31,7 @@ for p, u, why in GOOD + BAD:
     row("knots_valid", "exact", why, [p] + u, [valid(u, p)])
 row("knots_valid", "exact", "half the range each side", [0, -MAX / 2, MAX / 2], [1])
 for p, u, why in GOOD:
-    row("knots_clamped", "exact", why, [p] + u, [clamped(u, p)])
+    row("knots_clamped", "exact", why, [p] + u, [is_clamped(u, p)])
 row("knots_clamped", "exact", "left end open", [2] + [-1.0] + BOOK[1:], [0])
 row("knots_clamped", "exact", "right end open", [2] + BOOK[:-1] + [6.0], [0])
 c = Choices(7)
@@ -52,3 +41,52 @@ for p, u, why in GOOD:
     mids = [a / 2 + b / 2 for a, b in zip(inner, inner[1:])]
     for x in sorted(set(inner + mids + [lo, hi, lo - 1.0, hi + 1.0, hi - 2.0**-53, c.real(lo, hi)])):
         row("knots_span", "exact", why, [p] + u + [x], [span(u, p, x)])
+
+
+def before(x):
+    return -after(-x)
+
+
+def spots(c, u, p):
+    """(category, parameter)"""
+    lo, hi = u[p], u[-p - 1]
+    at = c.of(u)
+    yield "end of domain", lo
+    yield "end of domain", hi
+    yield "next to the end", before(hi)
+    yield "next to the end", after(lo)
+    yield "at a knot", at
+    yield "near-equal to a knot", c.of((before, after))(at)
+    yield "outside the domain", c.of((lo - 1.0, hi + 1.0, before(lo), after(hi), -MAX, MAX))
+    yield "between", lo + (hi - lo) * c.short(0.0, 1.0, 1024)
+    yield "negative zero", -0.0
+
+
+def spoiled(c, u, p):
+    """Knots that are not valid, or may not be: one thing changed."""
+    i = c.upto(len(u) - 1)
+    j = c.between(1, len(u) - 1)
+    put = lambda k, x: u[:k] + [x] + u[k + 1:]
+    yield "not a number", put(i, nan)
+    yield "infinite", put(i, c.of((inf, -inf)))
+    yield "decreasing", put(j, before(u[j - 1]))
+    yield "decreasing", u[::-1]
+    yield "too few", u[:c.upto(2 * p + 1)]
+    yield "empty domain", [u[p]] * len(u)
+    yield "near-equal knots", u[:j] + [after(u[j - 1])] + [max(t, after(u[j - 1])) for t in u[j + 1:]]
+    yield "extreme scale, too near", put(0, u[0] - 2.0**-1030) if u[0] == 0 else put(0, before(u[0]))
+    yield "extreme scale, overflow", u[:1] + [t if t < u[-1] else MAX for t in u[1:]]
+    yield "extreme scale, overflow", [t if t > u[0] else -MAX for t in u]
+
+
+for p, u, why in list(families(c, 40, 9)) + [x for p in range(1, 8) for x in least(p)] + list(high_degrees(c)) + BASES:
+    row("knots_valid", "exact", why, [p] + u, [valid(u, p)])
+    row("knots_clamped", "exact", why, [p] + u, [is_clamped(u, p)])
+    for where, x in spots(c, u, p):
+        if x - x == 0:
+            row("knots_span", "exact", why + ", " + where, [p] + u + [x], [span(u, p, x)])
+for p, u, why in families(c, 8, 5):
+    for what, bad in spoiled(c, u, p):
+        row("knots_valid", "exact", what + ", from " + why, [p] + bad, [valid(bad, p)])
+        if valid(bad, p):
+            row("knots_clamped", "exact", what + ", from " + why, [p] + bad, [is_clamped(bad, p)])
