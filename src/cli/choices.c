@@ -74,6 +74,8 @@ void cli_refine_table(cli_option table[CLI_REFINE_OPTIONS], cli_refine_options *
         { "absorb", 0, CLI_FLAG, &s->absorb, NULL, "PSO: a coordinate held by the box loses its velocity", NULL },
         { "ceres-iterations", 0, CLI_SIZE, &o->ceres.iterations, "N", "Ceres: iterations in all (default 400)", NULL },
         { "ceres-tolerance", 0, CLI_REAL, &o->ceres.tolerance, "T", "Ceres: relative change that ends a stage (default 1e-10)", NULL },
+        { "optimum-iterations", 0, CLI_SIZE, &o->optimum.iterations, "N", "optimum: iterations at most (default 100)", NULL },
+        { "optimum-gap", 0, CLI_REAL, &o->optimum.gap, "G", "optimum: done when value and lower bound are this near, relatively (default 1e-12)", NULL },
         { "faithful", 0, CLI_FLAG, &o->faithful, NULL, "the source's readings: box of 5e-6, and the population's best even if worse than the start", NULL },
     };
     memcpy(table, rows, sizeof rows);
@@ -98,5 +100,7 @@ et_status cli_refine_settle(cli_refine_options *o, et_message *message)
         return et_status_fail(message, ET_EINVAL, "--spread, --box and --vmax must not be negative");
     if (o->ceres.iterations < 1 || !(o->ceres.tolerance > 0))
         return et_status_fail(message, ET_EINVAL, "--ceres-iterations must be at least 1, --ceres-tolerance greater than 0");
+    if (o->optimum.iterations < 1 || !(o->optimum.gap > 0))
+        return et_status_fail(message, ET_EINVAL, "--optimum-iterations must be at least 1, --optimum-gap greater than 0");
     return ET_OK;
 }

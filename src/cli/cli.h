@@ -3,7 +3,9 @@
 #define ETALON_CLI_H
 #include "etalon/base/task.h"
 #include "etalon/io/json.h"
+#include "etalon/fit/enclosure.h"
 #include "etalon/refine/ceres.h"
+#include "etalon/refine/optimum.h"
 #include "etalon/refine/search.h"
 #include <jansson.h>
 #include <stdio.h>
@@ -39,6 +41,7 @@ typedef struct {
 /* Options every subcommand has, and the state of this run. */
 typedef struct {
     int json, quiet, progress, help;
+    int exact;                            /* --exact, of the subcommands that have it */
     size_t threads;
     uint64_t seed;
     const char *input;                    /* the cloud's name, for messages */
@@ -76,10 +79,12 @@ et_status cli_distinct(const char *const *paths, size_t n, et_message *message);
 /* ---- the pipeline ------------------------------------------------------------------------------------------------------ */
 
 typedef struct { size_t grid[2]; size_t iterations; double alpha, radius; et_frame_kind frame; } cli_train_options;
-typedef enum { CLI_GA = 0, CLI_DE, CLI_PSO, CLI_CERES, CLI_CERES_FULL, CLI_ALGORITHMS } cli_algorithm;
+typedef enum { CLI_GA = 0, CLI_DE, CLI_PSO, CLI_CERES, CLI_CERES_FULL, CLI_OPTIMUM, CLI_ALGORITHMS } cli_algorithm;
 typedef struct {
     et_search_options search;
     et_ceres_options ceres;
+    et_optimum_options optimum;
+    int exact;                            /* the result is measured exactly */
     size_t generations;
     int faithful;                         /* the source's: the result is the population's best even where the start was better */
     const char *checkpoint, *resume;      /* files, or null: where a search's state is left at the end, and taken up from */
@@ -92,12 +97,14 @@ typedef struct {
     size_t steps;                         /* generations or iterations made */
     int stopped;
     double *history;                      /* steps entries: best value after each */
+    et_optimum_result optimum;            /* CLI_OPTIMUM: the certified interval, and the dual that proves it */
+    et_vec3 *dual;
     et_surface_file surface;
 } cli_refined;
 
 /* Option tables that several subcommands share, and what was chosen by them. */
 typedef struct { int approach, method, knots, algebra, corners; size_t degree[2], control[2]; } cli_fit_choice;
-enum { CLI_TRAIN_OPTIONS = 5, CLI_FIT_OPTIONS = 6, CLI_REFINE_OPTIONS = 20 };
+enum { CLI_TRAIN_OPTIONS = 5, CLI_FIT_OPTIONS = 6, CLI_REFINE_OPTIONS = 22 };
 cli_fit_choice cli_fit_choice_defaults(void);
 void cli_train_table(cli_option table[CLI_TRAIN_OPTIONS], cli_train_options *o, int *frame);
 void cli_fit_table(cli_option table[CLI_FIT_OPTIONS], cli_fit_choice *choice);
@@ -106,7 +113,7 @@ void cli_refine_table(cli_option table[CLI_REFINE_OPTIONS], cli_refine_options *
 /* Settings made consistent, after parsing: --faithful brings the source's box.  ET_EINVAL names what is out of range. */
 et_status cli_refine_settle(cli_refine_options *o, et_message *message);
 
-const char *cli_algorithm_name(size_t k); /* "ga", "de", "pso", "ceres", "ceres-full" */
+const char *cli_algorithm_name(size_t k); /* "ga", "de", "pso", "ceres", "ceres-full", "optimum" */
 const char *cli_approach_name(size_t k);
 const char *cli_method_name(size_t k);
 const char *cli_knots_name(size_t k);
@@ -119,14 +126,15 @@ cli_refine_options cli_refine_defaults(void);
 
 /* Train on a cloud (copied, then mapped to the unit cube). */
 et_status cli_train(et_net_file *net, double *seconds, const et_vec3 *cloud, size_t n, const cli_train_options *options, cli_run *run, et_message *message);
-/* Fit, measure, and gap. */
-et_status cli_fit(et_surface_file *surface, const et_net_file *net, const et_fit_options *options, et_message *message);
+/* Fit, measure, and gap; with run->exact every stage correctly rounded. */
+et_status cli_fit(et_surface_file *surface, const et_net_file *net, const et_fit_options *options, cli_run *run, et_message *message);
 /* Refine a copy of surface; round r of an experiment draws from its own stream.  task may be null.  On ET_ESTOPPED the result holds the best so far. */
 et_status cli_refine(cli_refined *result, const et_surface_file *surface, const et_vec3 *data, cli_algorithm algorithm,
                      const cli_refine_options *options, uint64_t seed, uint64_t round, const et_task *task, et_message *message);
 void cli_refined_free(cli_refined *result);
 et_status cli_surface_copy(et_surface_file *copy, const et_surface_file *surface);
-et_status cli_surface_measure(et_surface_file *surface, const et_vec3 *data);
+/* Errors and seam gap; exact: correctly rounded, for surfaces measured at their fit's parameters. */
+et_status cli_surface_measure(et_surface_file *surface, const et_vec3 *data, int exact);
 /* Residuals, NOV of them, and errors; at the data's refined parameters where the surface has them. */
 et_status cli_residual(double *residual, et_fit_error *error, const et_surface_file *surface, const et_vec3 *data);
 /* How far control points leave the box of the net, as a share of its longest side: a surface that swings out between its data. */
@@ -139,6 +147,8 @@ json_t *cli_json_som(const et_net_file *net, double seconds);
 json_t *cli_json_fit(const et_surface_file *surface, double overshoot);
 json_t *cli_json_refined(const cli_refined *result);
 et_status cli_write_json(const char *path, const json_t *object, et_message *message);
+/* The dual point of an optimum, with the interval it proves. */
+et_status cli_write_certificate(const char *path, const cli_refined *result, et_message *message);
 et_status cli_write_history(const char *path, const cli_refined *results, size_t n, et_message *message);
 
 /* ---- checkpoints of a search (src/cli/checkpoint.c) ------------------------------------------------------------------------ */
@@ -174,6 +184,7 @@ const et_surface_file *cli_final(const cli_reconstruction *r);
 
 et_status cli_generate(int argc, char **argv, et_message *message);
 et_status cli_train_command(int argc, char **argv, et_message *message);
+et_status cli_evaluate(int argc, char **argv, et_message *message);
 et_status cli_fit_command(int argc, char **argv, et_message *message);
 et_status cli_refine_command(int argc, char **argv, et_message *message);
 et_status cli_compare(int argc, char **argv, et_message *message);

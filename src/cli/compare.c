@@ -13,7 +13,7 @@ enum { OWN = 11, TABLE = OWN + CLI_TRAIN_OPTIONS + CLI_REFINE_OPTIONS + CLI_COMM
 
 /* ---- the cases: least squares ------------------------------------------------------------------------------------------ */
 
-static et_status fit_case(compare_case *c, const compare_options *o, const et_net_file *net, et_message *message)
+static et_status fit_case(compare_case *c, const compare_options *o, const et_net_file *net, cli_run *run, et_message *message)
 {
     for (size_t a = 0; a < 3; a++) {
         et_fit_options options = cli_fit_chosen(&o->fit);
@@ -23,7 +23,7 @@ static et_status fit_case(compare_case *c, const compare_options *o, const et_ne
         options.control.nx = c->control[0];
         options.control.ny = c->control[1];
         const double began = cli_cpu();
-        const et_status status = cli_fit(&c->fit[a], net, &options, message);
+        const et_status status = cli_fit(&c->fit[a], net, &options, run, message);
         if (status != ET_OK)
             return status;
         c->seconds[a] = cli_cpu() - began;
@@ -32,7 +32,7 @@ static et_status fit_case(compare_case *c, const compare_options *o, const et_ne
 }
 
 /* Default readings first; with --faithful each case once more in the source's way. */
-static et_status make_cases(comparison *t, const et_net_file *net, et_message *message)
+static et_status make_cases(comparison *t, const et_net_file *net, cli_run *run, et_message *message)
 {
     const compare_options *o = t->options;
     const size_t modes = o->refiner.faithful ? 2 : 1;
@@ -47,7 +47,7 @@ static et_status make_cases(comparison *t, const et_net_file *net, et_message *m
                 c->faithful = mode == 1;
                 memcpy(c->control, o->controls[h], sizeof c->control);
                 c->method = o->methods[m];
-                const et_status status = fit_case(c, o, net, message);
+                const et_status status = fit_case(c, o, net, run, message);
                 if (status != ET_OK)
                     return status;
             }
@@ -69,7 +69,7 @@ static et_status make_jobs(comparison *t, et_message *message)
     for (size_t c = 0; c < t->ncases; c++)
         for (size_t a = 0; a < o->nalgorithms; a++)
             for (size_t r = 0; r < (o->algorithms[a] <= CLI_PSO ? o->runs : 1); r++) {
-                const compare_job job = { c, o->algorithms[a], r, 0, 0, 0, 0, 0, 0, 0, 0 };
+                const compare_job job = { c, o->algorithms[a], r, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
                 t->jobs[t->njobs++] = job;
             }
     return ET_OK;
@@ -89,6 +89,7 @@ static et_status do_job(compare_job *job, const comparison *t, const et_net_file
     if (status == ET_OK) {
         job->before = refined.before;
         job->after = refined.after;
+        job->lower = refined.optimum.lower;
         job->gap = refined.surface.seam_gap;
         job->evaluations = refined.evaluations;
         job->steps = refined.steps;
@@ -156,7 +157,7 @@ static void release(comparison *t)
 
 static et_status compute(comparison *t, const et_net_file *net, cli_run *run, et_message *message)
 {
-    et_status status = make_cases(t, net, message);
+    et_status status = make_cases(t, net, run, message);
 
     if (status == ET_OK)
         status = make_jobs(t, message);
@@ -225,13 +226,14 @@ static et_status settle(compare_options *o, const compare_lists *lists, et_messa
 et_status cli_compare(int argc, char **argv, et_message *message)
 {
     compare_options o;
-    compare_lists lists = { "6x6,12x12,18x18", "chord", "ga,de,pso,ceres" };
+    compare_lists lists = { "6x6,12x12,18x18", "chord", "ga,de,pso,ceres,optimum" };
     cli_run run = cli_run_defaults();
     const char *positional[1];
     int frame = ET_FRAME_BOX, start = ET_FIT_IMPROVED;
     size_t n;
     const cli_help help = { "compare", "etalon compare CLOUD [options]",
-                            "Compare least squares (conventional, improved, joint) with Ceres and with GA, DE, PSO (average, least and greatest over the runs).",
+                            "Compare least squares (conventional, improved, joint) with Ceres and with GA, DE, PSO (average, least and greatest over the runs),\n"
+                            "and all of them with the certified optimum: what share of the possible improvement each reached.",
                             "  etalon compare sphere.xyz --grid 20x20 --control 6x6,12x12 --method chord,uniform --runs 10 --threads 2\n"
                             "  etalon compare sphere.xyz --faithful --runs 10 --format csv -o table.csv\n"
                             "  etalon compare sphere.xyz --with none --baseline earlier.json\n", 1, 1 };
@@ -247,7 +249,7 @@ et_status cli_compare(int argc, char **argv, et_message *message)
         { "format", 0, CLI_NAME, &o.format, "WORD", "(default text; --json means json)", compare_format_name },
         { "control", 0, CLI_TEXT, &lists.controls, "LIST", "control nets (default 6x6,12x12,18x18)", NULL },
         { "method", 0, CLI_TEXT, &lists.methods, "LIST", "parameterisations: uniform, chord, centripetal, exponential (default chord)", NULL },
-        { "with", 0, CLI_TEXT, &lists.with, "LIST", "refiners: ga, de, pso, ceres, ceres-full, or none (default ga,de,pso,ceres)", NULL },
+        { "with", 0, CLI_TEXT, &lists.with, "LIST", "refiners: ga, de, pso, ceres, ceres-full, optimum, or none (default ga,de,pso,ceres,optimum)", NULL },
         { "runs", 0, CLI_SIZE, &o.runs, "N", "runs of GA, DE, PSO each (default 10)", NULL },
         { "start", 0, CLI_NAME, &start, "WORD", "the fit the refiners start from (default improved)", cli_approach_name },
         { "knots", 0, CLI_NAME, &o.fit.knots, "WORD", "knot rule of the default readings (default piegl)", cli_knots_name },

@@ -31,6 +31,7 @@ typedef struct {
     size_t which, algorithm, run;         /* case, algorithm, run */
     int done, kept;                       /* computed; already in the journal */
     double before, after, gap, seconds;
+    double lower;                         /* the optimum's certified lower bound; else 0 */
     uint64_t evaluations;
     size_t steps;
 } compare_job;

@@ -31,12 +31,12 @@ static json_t *settings(const comparison *t, const et_net_file *net)
         json_array_append_new(jobs, json_sprintf("%d %zux%zu %zu %zu %zu", c->faithful, c->control[0], c->control[1], c->method, t->jobs[k].algorithm,
                                                  t->jobs[k].run));
     }
-    return json_pack("{s:s, s:i, s:s, s:s, s:[i,i], s:i, s:i, s:I, s:[f,f,f,f,f,f,f,f,f,f,f,f], s:[I,I,I,i,i,i], s:[I,f,f,f], s:o}", "format",
-                     "etalon-journal", "version", 1, "seed", seed, "weights", weights, "degree", (int)o->fit.degree[0], (int)o->fit.degree[1], "knots",
+    return json_pack("{s:s, s:i, s:s, s:s, s:[i,i], s:i, s:i, s:I, s:[f,f,f,f,f,f,f,f,f,f,f,f], s:[I,I,I,i,i,i], s:[I,f,f,f], s:[I,f], s:o}", "format",
+                     "etalon-journal", "version", 2, "seed", seed, "weights", weights, "degree", (int)o->fit.degree[0], (int)o->fit.degree[1], "knots",
                      o->fit.knots, "start", (int)o->start, "generations", (json_int_t)r->generations, "search", s->spread, s->box, o->box, s->crossover,
                      s->swap, s->mutation, s->F, s->CR, s->K, s->c1, s->c2, s->vmax, "counts", (json_int_t)s->population, (json_int_t)s->tournament,
                      (json_int_t)s->group, s->by_coordinate, s->immediate, s->absorb, "ceres", (json_int_t)r->ceres.iterations, r->ceres.tolerance, r->ceres.smooth_start,
-                     r->ceres.smooth_end, "jobs", jobs);
+                     r->ceres.smooth_end, "optimum", (json_int_t)r->optimum.iterations, r->optimum.gap, "jobs", jobs);
 }
 
 static int read_job(comparison *t, const json_t *o)
@@ -48,7 +48,8 @@ static int read_job(comparison *t, const json_t *o)
         || (uint64_t)job >= t->njobs || evaluations < 0 || steps < 0)
         return 0;
     j = &t->jobs[job];
-    if (json_unpack((json_t *)o, "{s:F, s:F, s:F, s:F}", "before", &j->before, "after", &j->after, "gap", &j->gap, "seconds", &j->seconds) != 0)
+    if (json_unpack((json_t *)o, "{s:F, s:F, s:F, s:F, s:F}", "before", &j->before, "after", &j->after, "lower", &j->lower, "gap", &j->gap, "seconds",
+                    &j->seconds) != 0)
         return 0;
     j->evaluations = (uint64_t)evaluations;
     j->steps = (size_t)steps;
@@ -139,7 +140,7 @@ et_status compare_journal_add(comparison *t, size_t job, et_message *message)
     if (!t->journal || j->kept)
         return ET_OK;
     j->kept = 1;
-    return put(t, json_pack("{s:I, s:f, s:f, s:f, s:I, s:I, s:f}", "job", (json_int_t)job, "before", j->before, "after", j->after, "gap", j->gap,
+    return put(t, json_pack("{s:I, s:f, s:f, s:f, s:f, s:I, s:I, s:f}", "job", (json_int_t)job, "before", j->before, "after", j->after, "lower", j->lower, "gap", j->gap,
                             "evaluations", (json_int_t)j->evaluations, "steps", (json_int_t)j->steps, "seconds", j->seconds), message);
 }
 

@@ -14,7 +14,8 @@ static const command commands[] = {
     { "generate", "one of the four test clouds, at any size, with noise and outliers", cli_generate },
     { "train", "organise a cloud by the Double Net SOM", cli_train_command },
     { "fit", "fit two B-spline surfaces to a trained net", cli_fit_command },
-    { "refine", "move the control points: GA, DE, PSO, Ceres", cli_refine_command },
+    { "refine", "move the control points: GA, DE, PSO, Ceres, or the certified optimum", cli_refine_command },
+    { "evaluate", "points and derivatives of a surface, correctly rounded if asked", cli_evaluate },
     { "compare", "least squares against the refiners, as a table", cli_compare },
     { "reconstruct", "all steps: cloud to closed surface, CAD files, pictures, report", cli_reconstruct },
 };

@@ -17,7 +17,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { OWN = 5, TABLE = OWN + CLI_TRAIN_OPTIONS + CLI_FIT_OPTIONS + CLI_REFINE_OPTIONS + CLI_COMMON };
+enum { OWN = 6, TABLE = OWN + CLI_TRAIN_OPTIONS + CLI_FIT_OPTIONS + CLI_REFINE_OPTIONS + CLI_COMMON };
 
 typedef struct {
     const char *directory, *refine;
@@ -31,14 +31,14 @@ typedef struct {
 
 /* ---- computing ------------------------------------------------------------------------------------------------------ */
 
-static et_status fit_all(cli_reconstruction *r, const reconstruct_options *o, et_message *message)
+static et_status fit_all(cli_reconstruction *r, const reconstruct_options *o, cli_run *run, et_message *message)
 {
     const double began = cli_cpu();
 
     for (size_t a = 0; a < 3; a++) {
         et_fit_options options = cli_fit_chosen(&o->fit);
         options.approach = (et_fit_approach)a;
-        const et_status status = cli_fit(&r->fit[a], &r->net, &options, message);
+        const et_status status = cli_fit(&r->fit[a], &r->net, &options, run, message);
         if (status != ET_OK)
             return status;
     }
@@ -79,7 +79,7 @@ static et_status compute(cli_reconstruction *r, const et_cloud *cloud, const rec
     if (status != ET_OK)
         return status;
     cli_say(run, "net %zux%zu    QE %.6f  TE %.6f  (%.2f s)", r->net.net.nx, r->net.net.ny, r->net.training.qe, r->net.training.te, r->train_seconds);
-    status = fit_all(r, o, message);
+    status = fit_all(r, o, run, message);
     if (status != ET_OK)
         return status;
     cli_say(run, "%-12s error %.9g, seam gap %g", cli_approach_name(r->approach), r->fit[r->approach].error.nov, r->fit[r->approach].seam_gap);
@@ -420,7 +420,7 @@ static et_status run_it(const char *path, const reconstruct_options *o, cli_run 
     return status;
 }
 
-static et_status settle(reconstruct_options *o, et_message *message)
+static et_status settle(reconstruct_options *o, int exact, et_message *message)
 {
     et_status status = ET_OK;
 
@@ -432,6 +432,10 @@ static et_status settle(reconstruct_options *o, et_message *message)
         return status;
     if (o->nalgorithms && o->fit.approach == ET_FIT_CONVENTIONAL)
         return et_status_fail(message, ET_EINVAL, "the conventional approach leaves a gap and cannot be refined: add --refine none");
+    for (size_t k = 0; k < o->nalgorithms; k++)
+        if (exact && o->algorithms[k] == CLI_CERES_FULL)
+            return et_status_fail(message, ET_EINVAL, "--exact measures at the fit's parameters, ceres-full has its own");
+    o->refiner.exact = exact;
     if (o->refiner.faithful)
         o->fit.knots = ET_KNOTRULE_FAITHFUL;
     if (o->mesh[0] == 1 || o->mesh[1] == 1 || (o->mesh[0] && !o->mesh[1]))
@@ -460,8 +464,9 @@ et_status cli_reconstruct(int argc, char **argv, et_message *message)
     cli_option options[TABLE] = {
         { "output", 'o', CLI_TEXT, &o.directory, "DIR", "the folder to write to (needed)", NULL },
         { "approach", 0, CLI_NAME, &o.fit.approach, "WORD", "how the views are joined (default improved)", cli_approach_name },
-        { "refine", 0, CLI_TEXT, &o.refine, "LIST", "ga, de, pso, ceres, ceres-full, joined by commas, or none; the best is taken (default ceres)", NULL },
+        { "refine", 0, CLI_TEXT, &o.refine, "LIST", "ga, de, pso, ceres, ceres-full, optimum, joined by commas, or none; the best is taken (default ceres)", NULL },
         { "mesh", 0, CLI_PAIR, &o.mesh, "AxB", "points a view of the OBJ and STL mesh (default: 4 to a cell of the grid)", NULL },
+        { "exact", 0, CLI_FLAG, &run.exact, NULL, "fits, errors and the net's quality correctly rounded", NULL },
         { "no-pictures", 0, CLI_FLAG, &o.no_pictures, NULL, "draw nothing (gnuplot is not needed then)", NULL },
     };
     cli_train_table(options + OWN, &o.train, &frame);
@@ -472,6 +477,6 @@ et_status cli_reconstruct(int argc, char **argv, et_message *message)
     if (status != ET_OK || run.help)
         return status;
     o.train.frame = (et_frame_kind)frame;
-    status = settle(&o, message);
+    status = settle(&o, run.exact, message);
     return status == ET_OK ? run_it(positional[0], &o, &run, message) : status;
 }

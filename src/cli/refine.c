@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OWN = 7 };
+enum { OWN = 9 };
 
-typedef struct { const char *surface, *iges, *history, *net; int algorithm; } refine_files;
+typedef struct { const char *surface, *iges, *history, *net, *certificate; int algorithm, exact; } refine_files;
 
 /* The best so far of an interrupted run goes beside the place of the whole one: what stood there stays. */
 static et_status partial(const cli_refined *r, const char *output, et_message *message)
@@ -38,6 +38,8 @@ static et_status finish(const cli_refined *r, const refine_files *f, const cli_r
         status = et_iges_write(f->iges, &r->surface.fit.shell, &r->surface.frame, message);
     if (status == ET_OK && f->history)
         status = cli_write_history(f->history, r, 1, message);
+    if (status == ET_OK && f->certificate)
+        status = cli_write_certificate(f->certificate, r, message);
     if (status == ET_OK && f->surface)
         status = et_json_write_surface(f->surface, &r->surface, message);
     if (status == ET_OK && run->json) {
@@ -47,6 +49,8 @@ static et_status finish(const cli_refined *r, const refine_files *f, const cli_r
     } else if (status == ET_OK && !run->quiet && !(f->surface && strcmp(f->surface, "-") == 0)) {
         printf("%s: %.9g -> %.9g (%.3g less) in %zu steps, %llu evaluations, %.2f s CPU; seam gap %g\n", cli_algorithm_name(r->algorithm), r->before,
                r->after, r->before - r->after, r->steps, (unsigned long long)r->evaluations, r->seconds, r->surface.seam_gap);
+        if (r->algorithm == CLI_OPTIMUM)
+            printf("certified: value %.17g, lower bound %.17g, gap %.3g\n", r->optimum.value, r->optimum.lower, r->optimum.gap);
     }
     return status;
 }
@@ -62,6 +66,8 @@ static et_status matches(const et_surface_file *surface, const et_net_file *net,
         return et_status_fail(message, ET_EFORMAT, "%s has a gap: fit it with --approach improved or joint to refine it", path);
     if (f->algorithm != CLI_CERES_FULL && surface->fit.shell.view[0].weights)
         return et_status_fail(message, ET_EFORMAT, "%s is rational: only ceres-full refines weights", path);
+    if (f->exact && surface->uv)
+        return et_status_fail(message, ET_EFORMAT, "%s has parameters of its own: --exact measures at the fit's", path);
     return ET_OK;
 }
 
@@ -69,7 +75,7 @@ static et_status matches(const et_surface_file *surface, const et_net_file *net,
 static et_status belongs(const et_surface_file *surface, const et_net_file *net, const refine_files *f, const char *path, et_message *message)
 {
     et_surface_file here = *surface;
-    const et_status status = cli_surface_measure(&here, net->weights);
+    const et_status status = cli_surface_measure(&here, net->weights, 0);
 
     if (status != ET_OK)
         return et_status_fail(message, status, "%s cannot be measured: %s", path, et_status_text(status));
@@ -112,7 +118,7 @@ et_status cli_refine_command(int argc, char **argv, et_message *message)
 {
     cli_refine_options o = cli_refine_defaults();
     cli_run run = cli_run_defaults();
-    refine_files f = { NULL, NULL, NULL, NULL, -1 };
+    refine_files f = { NULL, NULL, NULL, NULL, NULL, -1, 0 };
     const char *positional[1];
     size_t n;
     cli_option options[OWN + CLI_REFINE_OPTIONS + CLI_COMMON] = {
@@ -121,12 +127,15 @@ et_status cli_refine_command(int argc, char **argv, et_message *message)
         { "with", 0, CLI_NAME, &f.algorithm, "WORD", "the algorithm (needed)", cli_algorithm_name },
         { "iges", 0, CLI_TEXT, &f.iges, "FILE", "the refined surfaces for CAD", NULL },
         { "history", 0, CLI_TEXT, &f.history, "FILE", "best value after every step (CSV)", NULL },
+        { "certificate", 0, CLI_TEXT, &f.certificate, "FILE", "optimum: the dual point that proves the lower bound (JSON)", NULL },
+        { "exact", 0, CLI_FLAG, &f.exact, NULL, "the result's errors correctly rounded (not for ceres-full)", NULL },
         { "checkpoint", 0, CLI_TEXT, &o.checkpoint, "FILE", "leave the state of GA, DE, PSO here at the end, also when interrupted", NULL },
         { "resume", 0, CLI_TEXT, &o.resume, "FILE", "go on from a checkpoint, with the same settings and seed, for --generations more", NULL },
     };
     const cli_help help = { "refine", "etalon refine SURFACE --net NET --with WORD [options]", "Refine the control points of a closed surface.",
                             "  etalon refine out/surface.json --net out/net.json --with pso --seed 3 -o better.json\n"
                             "  etalon refine s.json --net n.json --with ceres --iges better.igs\n"
+                            "  etalon refine s.json --net n.json --with optimum --certificate dual.json --json\n"
                             "  etalon refine s.json --net n.json --with de --generations 500 --checkpoint de.state\n", 1, 1 };
 
     cli_refine_table(options + OWN, &o);
@@ -138,7 +147,12 @@ et_status cli_refine_command(int argc, char **argv, et_message *message)
         return et_status_fail(message, ET_EINVAL, "--net and --with are needed; usage: %s", help.usage);
     if ((o.checkpoint || o.resume) && f.algorithm > CLI_PSO)
         return et_status_fail(message, ET_EINVAL, "--checkpoint and --resume are for ga, de, pso");
-    const char *const paths[] = { f.surface, f.iges, f.history, o.checkpoint };
+    if (f.certificate && f.algorithm != CLI_OPTIMUM)
+        return et_status_fail(message, ET_EINVAL, "--certificate is for optimum");
+    if (f.exact && f.algorithm == CLI_CERES_FULL)
+        return et_status_fail(message, ET_EINVAL, "--exact measures at the fit's parameters, ceres-full has its own");
+    o.exact = f.exact;
+    const char *const paths[] = { f.surface, f.iges, f.history, o.checkpoint, f.certificate };
     status = cli_distinct(paths, sizeof paths / sizeof paths[0], message);
     if (status == ET_OK)
         status = cli_refine_settle(&o, message);

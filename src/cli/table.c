@@ -20,19 +20,21 @@ typedef struct {
     double error, least, greatest, non, gap, seconds;   /* error: the average; non: NaN for refiners */
     double counted;                       /* what the source would print: NON for conventional, in the faithful readings */
     uint64_t evaluations;
+    double share;                         /* of the possible improvement; NaN where that is not known or has no meaning */
+    double lower;                         /* certified, of the optimum; NaN for others */
 } line;
 
 static line of_fit(const compare_case *c, size_t a)
 {
     const et_fit_error *e = &c->fit[a].error;
     const line l = { c, cli_approach_name(a), 1, e->nov, e->nov, e->nov, e->non, c->fit[a].seam_gap, c->seconds[a],
-                     c->faithful && a == ET_FIT_CONVENTIONAL ? e->non : e->nov, 0 };
+                     c->faithful && a == ET_FIT_CONVENTIONAL ? e->non : e->nov, 0, NAN, NAN };
     return l;
 }
 
 static line of_jobs(const comparison *t, size_t which, size_t algorithm)
 {
-    line l = { &t->cases[which], cli_algorithm_name(algorithm), 0, 0, INFINITY, -INFINITY, NAN, 0, 0, 0, 0 };
+    line l = { &t->cases[which], cli_algorithm_name(algorithm), 0, 0, INFINITY, -INFINITY, NAN, 0, 0, 0, 0, NAN, NAN };
 
     for (size_t k = 0; k < t->njobs; k++) {
         const compare_job *j = &t->jobs[k];
@@ -45,6 +47,8 @@ static line of_jobs(const comparison *t, size_t which, size_t algorithm)
         l.greatest = fmax(l.greatest, j->after);
         l.gap = fmax(l.gap, j->gap);
         l.evaluations = j->evaluations;
+        if (algorithm == CLI_OPTIMUM)
+            l.lower = j->lower;
     }
     l.error /= (double)l.runs;
     l.seconds /= (double)l.runs;
@@ -57,9 +61,50 @@ static size_t lines_of_case(const comparison *t)
     return 3 + t->options->nalgorithms;
 }
 
+/* The optimum of a case, where it was asked for. */
+static const compare_job *optimum_of(const comparison *t, size_t which)
+{
+    for (size_t k = 0; k < t->njobs; k++)
+        if (t->jobs[k].which == which && t->jobs[k].algorithm == CLI_OPTIMUM)
+            return &t->jobs[k];
+    return NULL;
+}
+
+/* How much of the way from the start to the optimum; of closed surfaces at the same parameters only: the conventional approach and ceres-full have
+ * unknowns that the others have not, and may be below the optimum. */
+static double share_of(const comparison *t, size_t which, double error)
+{
+    const compare_job *best = optimum_of(t, which);
+    const double start = t->cases[which].fit[t->options->start].error.nov;
+
+    return best && best->after < start ? (start - error) / (start - best->after) : NAN;
+}
+
 static line pick(const comparison *t, size_t which, size_t k)
 {
-    return k < 3 ? of_fit(&t->cases[which], k) : of_jobs(t, which, t->options->algorithms[k - 3]);
+    const size_t algorithm = k < 3 ? CLI_ALGORITHMS : t->options->algorithms[k - 3];
+    line l = k < 3 ? of_fit(&t->cases[which], k) : of_jobs(t, which, algorithm);
+
+    if (k != ET_FIT_CONVENTIONAL && algorithm != CLI_CERES_FULL)
+        l.share = share_of(t, which, l.error);
+    return l;
+}
+
+static void put_share(FILE *f, double share)
+{
+    if (isnan(share))
+        fprintf(f, "%10s", "-");
+    else
+        fprintf(f, "%8.3f %%", 100 * share);
+}
+
+static void put_certificate(FILE *f, const comparison *t, size_t which)
+{
+    const compare_job *best = optimum_of(t, which);
+
+    if (best)
+        fprintf(f, "  certified: no closed surface of these knots is below %.12g; optimum found %.12g, at most %.3g above it\n", best->lower, best->after,
+                best->after - best->lower);
 }
 
 static void put_text(FILE *f, const comparison *t, const cli_run *run)
@@ -68,27 +113,32 @@ static void put_text(FILE *f, const comparison *t, const cli_run *run)
 
     fprintf(f, "%s: %zu points, grid %zux%zu, seed %llu, %zu runs of %zu generations, refiners start from %s\n", t->cloud, t->points, o->train.grid[0],
             o->train.grid[1], (unsigned long long)run->seed, o->runs, o->refiner.generations, cli_approach_name(o->start));
-    fprintf(f, "error: sum of distances over the NOV classes (Eq. 5.13); NON: every border point twice%s\n",
+    fprintf(f, "error: sum of distances over the NOV classes (Eq. 5.13); NON: every border point twice; share: of the way from the start to the\n"
+               "optimum%s\n",
             o->refiner.faithful ? "; the source prints NON for conventional, NOV for the others" : "");
     for (size_t c = 0; c < t->ncases; c++) {
         const compare_case *k = &t->cases[c];
-        fprintf(f, "\ncontrol %zux%zu, %s, %s readings\n  %-13s %14s %14s %14s %14s %10s %9s %10s\n", k->control[0], k->control[1],
+        fprintf(f, "\ncontrol %zux%zu, %s, %s readings\n  %-13s %14s %14s %14s %14s %10s %9s %10s %10s\n", k->control[0], k->control[1],
                 cli_method_name(k->method), k->faithful ? "faithful" : "default", "", "error (avg)", "least", "greatest", "over NON", "gap", "CPU s",
-                "evaluations");
+                "evals", "share");
         for (size_t m = 0; m < lines_of_case(t); m++) {
             const line l = pick(t, c, m);
             fprintf(f, "  %-13s %14.9f %14.9f %14.9f ", l.contender, l.error, l.least, l.greatest);
             if (m < 3)
-                fprintf(f, "%14.9f %10.3g %9.3f %10s\n", l.non, l.gap, l.seconds, "");
+                fprintf(f, "%14.9f %10.3g %9.3f %10s ", l.non, l.gap, l.seconds, "");
             else
-                fprintf(f, "%14s %10.3g %9.3f %10llu\n", "", l.gap, l.seconds, (unsigned long long)l.evaluations);
+                fprintf(f, "%14s %10.3g %9.3f %10llu ", "", l.gap, l.seconds, (unsigned long long)l.evaluations);
+            put_share(f, l.share);
+            fprintf(f, "\n");
         }
+        put_certificate(f, t, c);
     }
 }
 
 static void put_csv(FILE *f, const comparison *t)
 {
-    fprintf(f, "readings,control_x,control_y,method,contender,runs,error,least,greatest,error_non,error_as_printed,seam_gap,evaluations,seconds\n");
+    fprintf(f, "readings,control_x,control_y,method,contender,runs,error,least,greatest,error_non,error_as_printed,seam_gap,evaluations,seconds,share,"
+               "lower\n");
     for (size_t c = 0; c < t->ncases; c++)
         for (size_t m = 0; m < lines_of_case(t); m++) {
             const line l = pick(t, c, m);
@@ -96,7 +146,13 @@ static void put_csv(FILE *f, const comparison *t)
                     cli_method_name(l.c->method), l.contender, l.runs, l.error, l.least, l.greatest);
             if (m < 3)
                 fprintf(f, "%.17g", l.non);
-            fprintf(f, ",%.17g,%.17g,%llu,%.6f\n", l.counted, l.gap, (unsigned long long)l.evaluations, l.seconds);
+            fprintf(f, ",%.17g,%.17g,%llu,%.6f,", l.counted, l.gap, (unsigned long long)l.evaluations, l.seconds);
+            if (!isnan(l.share))
+                fprintf(f, "%.17g", l.share);
+            if (isnan(l.lower))
+                fprintf(f, ",\n");
+            else
+                fprintf(f, ",%.17g\n", l.lower);
         }
 }
 
@@ -108,6 +164,12 @@ static json_t *row_of(const line *l, int is_fit)
                           l->counted, "seam_gap", l->gap, "evaluations", (json_int_t)l->evaluations, "seconds", l->seconds);
     if (o && is_fit)
         json_object_set_new(o, "error_non", json_real(l->non));
+    if (o && !isnan(l->share))
+        json_object_set_new(o, "share", json_real(l->share));
+    if (o && !isnan(l->lower)) {
+        json_object_set_new(o, "lower", json_real(l->lower));
+        json_object_set_new(o, "certified_gap", json_real(l->error - l->lower));
+    }
     return o;
 }
 

@@ -33,14 +33,17 @@ et_status cli_train_command(int argc, char **argv, et_message *message)
     size_t n;
     et_cloud cloud;
     et_net_file net;
-    cli_option options[1 + CLI_TRAIN_OPTIONS + CLI_COMMON] = { { "output", 'o', CLI_TEXT, &output, "FILE", "the net file (JSON)", NULL } };
+    cli_option options[2 + CLI_TRAIN_OPTIONS + CLI_COMMON] = {
+        { "output", 'o', CLI_TEXT, &output, "FILE", "the net file (JSON)", NULL },
+        { "exact", 0, CLI_FLAG, &run.exact, NULL, "the quality after training correctly rounded, winners found exactly", NULL },
+    };
     const cli_help help = { "train", "etalon train CLOUD [options]", "Organise an unstructured cloud by the Double Net SOM.",
                             "  etalon train sphere.xyz --grid 20x20 --seed 1 -o net.json\n  etalon train scan.ply --grid 30x30 --iterations 100000 --json\n",
                             1, 1 };
 
-    cli_train_table(options + 1, &o, &frame);
-    cli_common(options + 1 + CLI_TRAIN_OPTIONS, &run);
-    et_status status = cli_parse(positional, &n, argc, argv, options, 1 + CLI_TRAIN_OPTIONS + CLI_COMMON, &help, message);
+    cli_train_table(options + 2, &o, &frame);
+    cli_common(options + 2 + CLI_TRAIN_OPTIONS, &run);
+    et_status status = cli_parse(positional, &n, argc, argv, options, 2 + CLI_TRAIN_OPTIONS + CLI_COMMON, &help, message);
     if (status != ET_OK || run.help)
         return status;
     cli_end_at_once();
