@@ -5,6 +5,9 @@
  * The order of operations is part of the contract: with c a coordinate of P_i, or fl(w_i c) and w_i if there are weights, sums run from left to right over
  * the p+1 functions that are not zero, each product and sum rounded; last, with weights, the division by the sum for w.  x outside the domain is
  * clamped to it.
+ *
+ * Error of a coordinate of a polynomial curve: at most ((1-u)^-m - 1) sum N |c|, m = 7p, barring underflow; a rational one: the same bound for numerator
+ * (m + 1) and denominator, and one rounding.
  */
 #ifndef ETALON_SPLINE_CURVE_H
 #define ETALON_SPLINE_CURVE_H
@@ -27,13 +30,84 @@ typedef struct {
         \valid_read(c->u + (0 .. c->n + c->p)) && \valid_read(c->points + (0 .. c->n - 1)) &&
         (c->weights == \null || \valid_read(c->weights + (0 .. c->n - 1)));
     predicate et_curve_readable(et_curve *c) = c->u == \null || c->points == \null || et_curve_stored(c);
+
+    predicate et_curve_ok(et_curve *c) =
+        et_curve_stored(c) && c->n > c->p && c->u[c->p] < c->u[c->n] && \is_finite((double)(c->u[c->n + c->p] - c->u[0])) &&
+        (\forall integer i; 0 <= i <= c->n + c->p ==> \is_finite(c->u[i])) &&
+        (\forall integer i, j; 0 <= i <= j <= c->n + c->p ==> c->u[i] <= c->u[j]) &&
+        (\forall integer i; 0 < i <= c->n + c->p && c->u[i - 1] < c->u[i] ==> c->u[i] - c->u[i - 1] >= 0x1p-1022) &&
+        (\forall integer i; 0 <= i < c->n ==>
+            \is_finite(c->points[i].x) && \is_finite(c->points[i].y) && \is_finite(c->points[i].z) &&
+            (c->weights == \null || (\is_finite(c->weights[i]) && c->weights[i] > 0)));
+
+    logic integer et_curve_room(et_curve *c, integer d) = (\min(d, c->p) + 1)*(c->p + 1) + (c->p + 1)*(c->p + 5) + 2*(d + 1);
 */
 
+/* 1 if the knots are valid (et_knots_valid), control points finite, weights null or finite and positive; else 0.  A zeroed struct is not valid. */
+/*@ requires c:       \valid_read(c);
+    requires storage: et_curve_readable(c);
+    assigns  \nothing;
+    ensures  flag:    \result == 0 || \result == 1;
+    ensures  valid:   \result == 1 ==> et_curve_ok(c);
+*/
 int et_curve_valid(const et_curve *c);
+
+/* Storage for n control points of degree p, all zero; rational != 0 also allocates weights (all 1).  What *c held before is not freed.
+ * ET_EINVAL (n <= p), ET_ENOMEM.
+ * Golden: none (storage). */
+/*@ requires c:     \valid(c);
+    assigns  *c;
+    ensures  sizes: \result == ET_OK ==> c->p == p && c->n == n;
+    ensures  made:  \result == ET_OK ==> \valid(c->u + (0 .. n + p)) && \valid(c->points + (0 .. n - 1));
+    ensures  kind:  \result == ET_OK ==> (c->weights == \null <==> rational == 0);
+    ensures  ones:  \result == ET_OK && rational != 0 ==> \valid(c->weights + (0 .. n - 1)) &&
+                        \forall integer i; 0 <= i < n ==> c->weights[i] == 1.0;
+    ensures  few:   n <= p ==> \result == ET_EINVAL;
+    ensures  kept:  \result != ET_OK ==> *c == \old(*c);
+*/
 et_status et_curve_new(et_curve *c, size_t p, size_t n, int rational);
+
+/* Frees the storage and zeroes the struct; nothing to do for a zeroed one.
+ * Golden: none (no value). */
+/*@ requires c:    \valid(c);
+    assigns  *c;
+    ensures  zero: c->u == \null && c->points == \null && c->weights == \null && c->n == 0 && c->p == 0;
+*/
 void et_curve_free(et_curve *c);
+
+/* Doubles of workspace for et_curve_point and for et_curve_ders up to order d: (min(d,p) + 1)(p+1) + (p+1)(p+5) + 2(d+1); SIZE_MAX if that does not
+ * fit, so that no allocation succeeds. */
+/*@ requires c:    \valid_read(c);
+    assigns  \nothing;
+    ensures  room: \result == SIZE_MAX || \result == et_curve_room(c, d);
+*/
 size_t et_curve_work(const et_curve *c, size_t d);
+
+/* C(x) (A3.1, A4.1).  At the ends of a clamped polynomial curve the end control point exactly (a zero may change its sign); with weights
+ * fl(fl(w c) / w), which is c for w a power of two and else within two roundings of it. */
+/*@ requires c:      \valid_read(c) && et_curve_ok(c);
+    requires finite: \is_finite(x);
+    requires room:   nwork >= et_curve_room(c, 0) && \valid(work + (0 .. nwork - 1));
+    assigns  work[0 .. nwork - 1];
+*/
 et_vec3 et_curve_point(const et_curve *c, double x, double *work, size_t nwork);
+
+/* D[k] = the k-th derivative of C at x, k = 0..d (A3.2; with weights A4.2, Eq. 4.8), at inner knots from the right, at the right end from the left.  D[0]
+ * has the bits of et_curve_point; derivatives of a polynomial curve beyond the degree are +0.
+ *
+ * Error of a coordinate of a polynomial curve's k-th derivative: at most ((1-u)^-(7p+3) - 1) M_k, M_k the sum of the magnitudes of all terms,
+ * p!/(p-k)! sum_ij |a_kj| N_{i+j,p-k} |c_i| (et_basis_ders).  A rational curve's derivatives satisfy Leibniz' rule for w C = A up to roundings:
+ * for k <= 56, where binomial coefficients are exact,
+ *     |sum_i C(k,i) w_i D_{k-i} - A_k| <= ((1-u)^-(8p+5) - 1) (M_k + sum_i C(k,i) W_i |D_{k-i}|),  i = 0..k,
+ * with the exact derivatives w_i and A_k, M_k of w c, W_i the sum of the magnitudes of the terms of w_i.  All barring over- and underflow. */
+/*@ requires c:      \valid_read(c) && et_curve_ok(c);
+    requires D:      \valid(D + (0 .. d));
+    requires finite: \is_finite(x);
+    requires room:   nwork >= et_curve_room(c, d) && \valid(work + (0 .. nwork - 1));
+    requires apart:  \separated(D + (0 .. d), work + (0 .. nwork - 1));
+    assigns  D[0 .. d], work[0 .. nwork - 1];
+    ensures  above:  c->weights == \null ==> \forall integer k; c->p < k <= d ==> D[k].x == 0.0 && D[k].y == 0.0 && D[k].z == 0.0;
+*/
 void et_curve_ders(et_vec3 *D, size_t d, const et_curve *c, double x, double *work, size_t nwork);
 
 #ifdef __cplusplus

@@ -1,0 +1,137 @@
+#include "etalon/spline/curve.h"
+#include "etalon/base/size.h"
+#include "etalon/spline/basis.h"
+#include "etalon/spline/knots.h"
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+/* ---- storage ---- */
+
+int et_curve_valid(const et_curve *c)
+{
+    if (!c->u || !c->points || c->p > SIZE_MAX - c->n || c->n + c->p == SIZE_MAX || !et_knots_valid(c->u, c->n + c->p + 1, c->p)) {
+        return 0;
+    }
+    for (size_t i = 0; c->weights && i < c->n; i++) {
+        if (!isfinite(c->weights[i]) || !(c->weights[i] > 0.0)) {
+            return 0;
+        }
+    }
+    return et_vec3_finite(c->points, c->n);
+}
+
+et_status et_curve_new(et_curve *c, size_t p, size_t n, int rational)
+{
+    if (n == 0 || n - 1 < p) {
+        return ET_EINVAL;
+    }
+    if (p > SIZE_MAX - n || n + p == SIZE_MAX) {
+        return ET_ENOMEM;
+    }
+    et_curve t = {p, n, et_size_array(n + p + 1, sizeof(double)), et_size_array(n, sizeof(et_vec3)),
+                  rational ? et_size_array(n, sizeof(double)) : NULL};
+    if (!t.u || !t.points || (rational && !t.weights)) {
+        et_curve_free(&t);
+        return ET_ENOMEM;
+    }
+    for (size_t i = 0; rational && i < n; i++) {
+        t.weights[i] = 1.0;
+    }
+    *c = t;
+    return ET_OK;
+}
+
+void et_curve_free(et_curve *c)
+{
+    free(c->u);
+    free(c->points);
+    free(c->weights);
+    *c = (et_curve){0, 0, NULL, NULL, NULL};
+}
+
+/* ---- workspace: rows of basis values; derivatives of w, a row of binomial coefficients; the basis' own room ---- */
+
+static size_t lesser(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+size_t et_curve_work(const et_curve *c, size_t d)
+{
+    size_t rows, basis = et_basis_work(c->p, 1);
+    if (basis == SIZE_MAX || d > SIZE_MAX / 4 || et_size_mul(&rows, lesser(d, c->p) + 1, c->p + 1) != ET_OK) {
+        return SIZE_MAX;
+    }
+    size_t sums = rows > SIZE_MAX - basis ? SIZE_MAX : rows + basis;
+    return sums > SIZE_MAX - 2 * (d + 1) ? SIZE_MAX : sums + 2 * (d + 1);
+}
+
+/* ---- sums over the functions that are not zero, from the first on ---- */
+
+typedef struct { double x, y, z, w; } homogeneous;
+
+static homogeneous lift(const et_curve *c, size_t i)
+{
+    et_vec3 P = c->points[i];
+    double w = c->weights ? c->weights[i] : 1.0;
+    return (homogeneous){w * P.x, w * P.y, w * P.z, w};
+}
+
+/* sum_r N[r] (w P)[first + r], r = 0..p: within ((1-u)^-(7p) - 1) sum N |c|, for derivatives 7p + 3; a rounding more with weights. */
+static homogeneous contract(const double *N, const et_curve *c, size_t first)
+{
+    homogeneous P = lift(c, first), S = {N[0] * P.x, N[0] * P.y, N[0] * P.z, N[0] * P.w};
+    for (size_t r = 1; r <= c->p; r++) {
+        P = lift(c, first + r);
+        S = (homogeneous){S.x + N[r] * P.x, S.y + N[r] * P.y, S.z + N[r] * P.z, S.w + N[r] * P.w};
+    }
+    return S;
+}
+
+static et_vec3 project(homogeneous S, int rational)
+{
+    return rational ? (et_vec3){S.x / S.w, S.y / S.w, S.z / S.w} : (et_vec3){S.x, S.y, S.z};
+}
+
+et_vec3 et_curve_point(const et_curve *c, double x, double *work, size_t nwork)
+{
+    size_t nu = c->n + c->p + 1, span = et_knots_span(c->u, nu, c->p, x);
+    et_basis_eval(work, c->u, nu, c->p, span, x, work + c->p + 1, nwork - c->p - 1);
+    return project(contract(work, c, span - c->p), c->weights != NULL);
+}
+
+/* C(k,0..k) from C(k-1,0..k-1), in place: exact up to k = 56. */
+static void pascal(double *binomial, size_t k)
+{
+    binomial[k] = 1.0;
+    for (size_t i = k; i-- > 1;) {
+        binomial[i] += binomial[i - 1];
+    }
+}
+
+/* Eq. 4.8: (A - sum_i C(k,i) w_i D_{k-i}) / w_0, i = 1..k, as w_i = 0 beyond the degree. */
+static et_vec3 quotient(homogeneous A, const et_vec3 *D, const double *w, const double *binomial, size_t k, size_t p)
+{
+    for (size_t i = 1; i <= k && i <= p; i++) {
+        double a = binomial[i] * w[i];
+        et_vec3 C = D[k - i];
+        A = (homogeneous){A.x - a * C.x, A.y - a * C.y, A.z - a * C.z, A.w};
+    }
+    A.w = w[0];
+    return project(A, 1);
+}
+
+void et_curve_ders(et_vec3 *D, size_t d, const et_curve *c, double x, double *work, size_t nwork)
+{
+    size_t nu = c->n + c->p + 1, span = et_knots_span(c->u, nu, c->p, x), top = lesser(d, c->p);
+    double *w = work, *binomial = w + d + 1, *N = binomial + d + 1, *room = N + (top + 1) * (c->p + 1);
+    const homogeneous zero = {0.0, 0.0, 0.0, 0.0};
+    et_basis_ders(N, top, c->u, nu, c->p, span, x, room, nwork - (size_t)(room - work));
+    for (size_t k = 0; k <= d; k++) {
+        homogeneous A = k <= top ? contract(N + k * (c->p + 1), c, span - c->p) : zero;
+        w[k] = A.w;
+        pascal(binomial, k);
+        D[k] = c->weights ? quotient(A, D, w, binomial, k, c->p) : project(A, 0);
+    }
+}
