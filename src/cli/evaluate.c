@@ -111,16 +111,18 @@ static void put_row(FILE *f, const double uv[2], const et_vec3 *D, size_t count,
     fputc('\n', f);
 }
 
+/* Null without memory, or where a value is not finite. */
 static json_t *json_row(const double uv[2], const et_vec3 *D, size_t count)
 {
     json_t *row = json_pack("[f, f]", uv[0], uv[1]);
+    int bad = row == NULL;
 
-    for (size_t m = 0; row && m < count; m++) {
-        json_array_append_new(row, json_real(D[m].x));
-        json_array_append_new(row, json_real(D[m].y));
-        json_array_append_new(row, json_real(D[m].z));
-    }
-    return row;
+    for (size_t m = 0; !bad && m < count; m++)
+        bad = json_array_append_new(row, json_real(D[m].x)) || json_array_append_new(row, json_real(D[m].y))
+              || json_array_append_new(row, json_real(D[m].z));
+    if (bad)
+        json_decref(row);
+    return bad ? NULL : row;
 }
 
 static void put_header(FILE *f, size_t order)
