@@ -10,8 +10,7 @@ static double coordinate(const et_vec3 *P, size_t a)
     return a == 0 ? P->x : a == 1 ? P->y : P->z;
 }
 
-/* The place of x's last digit of 53, not above `least`; zero has none. */
-static slong lower(slong least, double x)
+slong exact_place(slong least, double x)
 {
     int e;
     if (x == 0.0) {
@@ -21,8 +20,7 @@ static slong lower(slong least, double x)
     return e - DIGITS < least ? e - DIGITS : least;
 }
 
-/* n = x / 2^place, which is an integer. */
-static void integer(fmpz_t n, double x, slong place)
+void exact_integer(fmpz_t n, double x, slong place)
 {
     int e;
     double m = frexp(x, &e);
@@ -42,16 +40,16 @@ void exact_net_init(exact_net *net, const et_vec3 *points, const double *weights
     for (size_t k = 0; k < net->n; k++) {
         size_t at = k / columns * step + k % columns;
         for (size_t a = 0; a < 3; a++) {
-            ex = lower(ex, coordinate(points + at, a));
+            ex = exact_place(ex, coordinate(points + at, a));
         }
-        ew = weights ? lower(ew, weights[at]) : 0;
+        ew = weights ? exact_place(ew, weights[at]) : 0;
     }
     for (size_t k = 0; k < net->n; k++) {
         size_t at = k / columns * step + k % columns;
         fmpz *H = net->H + EXACT_COMPONENTS * k;
-        integer(H + 3, weights ? weights[at] : 1.0, ew);
+        exact_integer(H + 3, weights ? weights[at] : 1.0, ew);
         for (size_t a = 0; a < 3; a++) {
-            integer(H + a, coordinate(points + at, a), ex);
+            exact_integer(H + a, coordinate(points + at, a), ex);
             fmpz_mul(H + a, H + a, H + 3);
         }
     }

@@ -3,6 +3,12 @@
 #define EXACT_EXACT_SUMS_PARTS_H
 #include "exact/exact_parts.h"
 
+/* The place of x's last digit of 53, or `least` if that is less; zero has none. */
+slong exact_place(slong least, double x);
+
+/* n = x / 2^place, which is an integer. */
+void exact_integer(fmpz_t n, double x, slong place);
+
 enum { EXACT_COMPONENTS = 4 };            /* w x, w y, w z, w */
 
 /* Control points in integers: H[4k + 3] is the weight of the k-th point times a power of two, H[4k + a] 2^e its coordinate a times the same.  Without
