@@ -38,6 +38,7 @@ FLAGS_cover   = -O0 --coverage
 OMP_release = -fopenmp
 OMP_native  = -fopenmp
 OMP_cover   = -fopenmp
+include tests/bits/profiles.mk
 CC     := $(CC_$(P))
 CXX    := $(CXX_$(P))
 # Threads where the compiler has them: a pragma more or less never changes a bit of a result.
@@ -48,22 +49,22 @@ CFLAGS   = -std=c99 -pedantic-errors -Wstrict-prototypes -Wvla $(COMMON) $(FLAGS
 CXXFLAGS = -std=c++17 $(COMMON) $(filter-out -march=native,$(FLAGS_$(P))) -isystem /usr/include/eigen3 $(if $(filter asan fuzz,$(P)),-fno-sanitize=vptr)
 LDFLAGS ?= -Wl,--as-needed
 LIBS   := -lceres -lglog -llapacke -llapack -lblas -ljansson -lflint-arb -lflint -lmpfr -lgmp -lstdc++ -lm
-LDLIBS  = $(LIBS)
+LDLIBS  = $(filter-out $(LEFT_OUT_LIBS),$(LIBS))
 # GSL is a second opinion: tests and peers only.
 GSL    := -lgsl -lgslcblas
 
 LIBROOMS := $(filter-out cli,$(ROOMS))
-SRC   := $(foreach r,$(LIBROOMS),$(wildcard src/$(r)/*.c) $(wildcard src/$(r)/*.cpp))
-CLI   := $(if $(filter cli,$(ROOMS)),$(wildcard src/cli/*.c))
-TEST  := $(wildcard tests/*.c) $(foreach r,$(LIBROOMS),$(wildcard tests/$(r)/test_*.c))
+SRC   := $(filter-out $(LEFT_OUT),$(foreach r,$(LIBROOMS),$(wildcard src/$(r)/*.c) $(wildcard src/$(r)/*.cpp)))
+CLI   := $(filter-out $(LEFT_OUT),$(if $(filter cli,$(ROOMS)),$(wildcard src/cli/*.c)))
+TEST  := $(filter-out $(LEFT_OUT),$(wildcard tests/*.c) $(foreach r,$(LIBROOMS),$(wildcard tests/$(r)/test_*.c)))
 BENCH := $(wildcard tests/bench/bench_*.c tests/bench/*_table.c)
 MODULES := $(basename $(notdir $(SRC)))
 ROWS    := $(foreach m,$(MODULES),$(wildcard golden/$(m).tsv))
 CORPUS  := $(foreach m,$(MODULES),$(wildcard fuzz/corpus/$(m)/*))
 OBJ    = $(addprefix $(B)/,$(addsuffix .o,$(1)))
-LIBO  := $(call OBJ,$(SRC))
+LIBO  := $(call OBJ,$(filter %.c,$(SRC))) $(call OF,$(filter %.cpp,$(SRC)))
 CLIO  := $(call OBJ,$(CLI))
-TESTO := $(call OBJ,$(TEST))
+TESTO := $(call OF,$(TEST))
 FUZZO := $(filter-out $(B)/tests/check.c.o,$(TESTO)) $(B)/fuzz/fuzz.c.o $(B)/registry.o
 BENCHO := $(call OBJ,$(wildcard tests/bench/*.c))
 INPUTO  := $(call OBJ,$(wildcard tests/bench/*_input.c))
@@ -77,12 +78,12 @@ $(shell mkdir -p $(B); for l in 'lib $(LIBO)' 'test $(TEST)'; do set -- $$l; \
 	printf '%s\n' "$$l" | cmp -s - $(B)/$$1.list || printf '%s\n' "$$l" > $(B)/$$1.list; done)
 
 $(B)/libetalon.a: $(LIBO) $(B)/lib.list
-	rm -f $@ && ar rcsD $@ $(LIBO)
+	rm -f $@ && $(AR) rcsD $@ $(LIBO)
 $(B)/etalon: $(CLIO) $(B)/libetalon.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(B)/%.c.o: %.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(if $(filter tests/% fuzz/%,$<),-Itests) -MMD -MP -c -o $@ $<
+	$(CC) $(CFLAGS) $(if $(filter tests/% fuzz/%,$<),-Itests $(TEST_FLAGS_$(P))) -MMD -MP -c -o $@ $<
 $(B)/%.cpp.o: %.cpp
 	@mkdir -p $(@D)
 	$(CXX) $(CXXFLAGS) -MMD -MP -c -o $@ $<

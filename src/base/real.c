@@ -2,8 +2,8 @@
 #include <float.h>
 #include <math.h>
 
-/* Double precision must be double precision: no x87 registers. */
-typedef char et_real_assert_evaluation[FLT_EVAL_METHOD == 0 ? 1 : -1];
+/* Double precision must be double precision: no x87 registers.  Where the method is 1 (s390x) only floats are evaluated as doubles. */
+typedef char et_real_assert_evaluation[FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1 ? 1 : -1];
 typedef char et_real_assert_binary64[FLT_RADIX == 2 && DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024 ? 1 : -1];
 
 enum { LANES = 8, BLOCK = 128 };

@@ -168,9 +168,15 @@ static uint64_t index_wide(et_rng *rng, uint64_t n)
     return m % n;
 }
 
+/* n has 64 bits here, whatever size_t has: else a compiler for 32 bits would complain of the comparison. */
+static uint64_t index_of(et_rng *rng, uint64_t n)
+{
+    return n <= UINT64_C(0xffffffff) ? index_narrow(rng, n) : index_wide(rng, n);
+}
+
 size_t et_rng_index(et_rng *rng, size_t n)
 {
-    return (size_t)((uint64_t)n <= UINT64_C(0xffffffff) ? index_narrow(rng, n) : index_wide(rng, n));
+    return (size_t)index_of(rng, n);
 }
 
 double et_rng_normal(et_rng *rng)
