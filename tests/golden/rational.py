@@ -114,13 +114,19 @@ def above(x):
     return show(y)
 
 
-def bound_of(x):
-    """The same of few digits: golden files are read by people, too."""
+def up(x, bits=32):
+    """A number of few digits not below x >= 0: bounds need no more."""
     if x == 0:
-        return "0x0p+0"
-    e = x.numerator.bit_length() - x.denominator.bit_length() - 4
-    n = -(-x // F(2) ** e)
-    return above(n * F(2) ** e)
+        return F(0)
+    e = x.numerator.bit_length() - x.denominator.bit_length() - bits
+    if e < 0:
+        return F(-(-(x.numerator << -e) // x.denominator), 1 << -e)
+    return F(-(-x.numerator // (x.denominator << e)) << e)
+
+
+def bound_of(x):
+    """The same as a hex float of few digits: golden files are read by people, too."""
+    return above(up(x, 4))
 
 
 def root(q, degree=2, bits=80):
