@@ -3,6 +3,7 @@
 # make audit        every public name in every room      make floors  nobody includes from above
 # make golden       golden rows made again, and compared make golden-accept   and put in place
 # make fuzz F=NAME T=60   fuzz one property              make cover   line and branch coverage
+# make accuracy     bounds beside the worst errors seen    make bits    the same bits everywhere
 # make bench        speed, as ratios to named peers      make install DESTDIR= PREFIX=/usr/local
 # make P=asan ...   the same under another profile: release, native, clang, debug, asan, fuzz, cover
 
@@ -128,6 +129,13 @@ contracts:
 	@sh tests/contracts.sh include
 docs: $(B)/libetalon.a
 	@sh tests/docs.sh $(B)/libetalon.a $(BUILD) '$(CC) $(OMP) -ffp-contract=off' '-Wl,--as-needed $(LIBS)'
+# The worst errors seen in 10^7 cases a degree, beside the bounds, put into docs/accuracy.md (some ten minutes); check tries a few.
+accuracy: $(B)/accuracy
+	@sh tests/accuracy.sh $(B)/accuracy 10000000 docs/accuracy.md
+within: $(B)/accuracy
+	@$(B)/accuracy 20000 > /dev/null && echo "ok errors of bases and points stay below their bounds"
+$(B)/accuracy: $(B)/tests/bench/accuracy.c.o $(B)/libetalon.a
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 bits:
 	@sh tests/bits.sh $(BUILD)
 fuzz:
@@ -141,7 +149,7 @@ J := -j$(shell nproc 2> /dev/null || echo 1)
 built: all $(B)/check
 check: deps-test
 	@$(SUM) '$(MAKE) -s $(J) built' '$(MAKE) -s $(J) P=clang built' '$(MAKE) -s $(J) P=asan built' \
-	  '$(MAKE) -s test' '$(MAKE) -s rows' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s contracts' '$(MAKE) -s audit' '$(MAKE) -s docs' \
+	  '$(MAKE) -s test' '$(MAKE) -s rows' '$(MAKE) -s within' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s contracts' '$(MAKE) -s audit' '$(MAKE) -s docs' \
 	  'sh tests/install.sh $(BUILD)' 'ET_RUNS=200 $(MAKE) -s P=clang test' '$(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s bits'
 end-to-end: all
 	@$(SUM) $(foreach s,$(sort $(wildcard tests/cli/*.sh)),'sh $(s) $(B)/etalon')
@@ -195,4 +203,4 @@ uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/share/man/man1/etalon.1
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs bits fuzz cover built check end-to-end bench programs peers deps deps-test demo install uninstall clean
+.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits fuzz cover built check end-to-end bench programs peers deps deps-test demo install uninstall clean
