@@ -98,8 +98,63 @@ def extremes():
     row("dist2", "large", (0, 0, 0, 2**31, 2**31, 2), (2**63 + 4,))
 
 
+def sides():
+    """Every node, class and count of small nets, and of nets large in one or both sides."""
+    for nx, ny in ((2, 2), (2, 3), (3, 2), (3, 3), (4, 3), (6, 7), (5, 5), (9, 4), (12, 9), (2, 17), (17, 2)):
+        seen, nodes = vectors(nx, ny)
+        place = {v: c for c, v in enumerate(seen, 1)}
+        for view in range(2):
+            for i in range(nx):
+                for j in range(ny):
+                    edge = i in (0, nx - 1) or j in (0, ny - 1)
+                    row("class", "seam and closure" if edge else "inside", (nx, ny, view, i, j), (place[i, j, 1 if edge else 2 * view],))
+        for c, v in enumerate(seen, 1):
+            row("index", "seam and closure" if v[2] == 1 else "inside", (nx, ny, c), v)
+    for nx in range(2, 31):
+        for ny in {2, 3, 4, 5, 8, 12, 18, 20, 30} | {nx}:
+            seen, nodes = vectors(nx, ny)
+            row("non", "size", (nx, ny), (nodes,))
+            row("nov", "size", (nx, ny), (len(seen),))
+            row("nor", "size", (nx, ny), (nodes - len(seen),))
+            path = walk(nx, ny)
+            turn = [path[0], path[ny - 1], path[-(nx - 1)], path[ny - 1 + nx - 1]]
+            row("corners", "size", (nx, ny), turn)
+            if nx < 13 and ny < 13:
+                row("seam", "seam and closure", (nx, ny), path)
+    for k in range(2, 32):
+        nx, ny = 2**k + k % 3, 2 ** (62 - k) - k % 5
+        nov = nx * ny + (nx - 2) * (ny - 2)
+        row("valid", "size", (nx, ny), (int(2 * nx * ny <= SIZE_MAX),))
+        if 2 * nx * ny <= SIZE_MAX:
+            row("non", "size", (nx, ny), (2 * nx * ny,))
+            row("nov", "size", (nx, ny), (nov,))
+            row("nor", "size", (nx, ny), (2 * nx * ny - nov,))
+            row("corners", "size", (nx, ny), (1, ny, ny * (nx - 1) + 1, nx * ny))
+            row("index", "size, last class", (nx, ny, nov), (nx - 2, ny - 2, 2))
+            row("class", "size, last class", (nx, ny, 1, nx - 2, ny - 2), (nov,))
+            row("index", "size, first of the top", (nx, ny, nx * ny + 1), (1, 1, 2))
+
+
+def pairs():
+    """Distances and neighbours of every class of a net to a few, and far away."""
+    for nx, ny, chosen in ((4, 5, (0, 6, 7, 13, 20, 25)), (3, 3, range(10)), (2, 4, range(8))):
+        seen, _ = vectors(nx, ny)
+        for a in chosen:
+            for b in seen:
+                near = sum((x - y) ** 2 for x, y in zip(seen[a][:2], b[:2])) <= 1 and abs(seen[a][2] - b[2]) <= 1
+                row("adjacent", "pair", seen[a] + b, (int(near),))
+                row("dist2", "pair", seen[a] + b, (sum((x - y) ** 2 for x, y in zip(seen[a], b)),))
+    for k in range(1, 32):
+        a, b = (2**k, 2 ** (31 - k), k % 3), (2**k + 2 ** (k % 7), 0, (k + 1) % 3)
+        row("dist2", "size", a + b, (sum((x - y) ** 2 for x, y in zip(a, b)),))
+        row("adjacent", "size", a + b, (0,))
+        row("adjacent", "size", a + a, (1,))
+
+
 print("# function\tclass\treason\tnx ny and node (view i j) or class; two index vectors\twanted")
 print("# made by tests/golden/doublenet.py from the tables of You 2023, by enumeration and in integers")
 tables()
 enumerated()
 extremes()
+sides()
+pairs()

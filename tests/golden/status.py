@@ -8,3 +8,6 @@ for k, (name, code) in enumerate(zip(NAMES, CODES)):
     row("status_exit", "exact", name, [k], [code])
 for k in (-1, 10, 11, 1000):
     row("status_exit", "exact", "outside the enumeration", [k], [70])
+for k in range(31):
+    row("status_exit", "exact", "outside the enumeration", [2**k + (11 if k < 4 else 0)], [70])
+    row("status_exit", "exact", "outside the enumeration", [-(2**k)], [70])
