@@ -1,7 +1,7 @@
 """Golden rows of base/frame: extents and maps of rationals; two roundings and the reference's half ulp are at most 3 ulps."""
 from fractions import Fraction as F
 
-from rational import Choices, head, row
+from rational import Choices, bound_of, head, row
 
 BOX, UNIFORM, NONE = 0, 1, 2
 
@@ -52,3 +52,33 @@ for _ in range(15):
     x = o + s * t
     row("frame_to_unit", "ulp 3", "any", [o, s, x], [(F(x) - F(o)) / F(s)])
     row("frame_from_unit", "exact", "no rounding in between", [float(round(o)), 4.0, t], [F(round(o)) + 4 * F(t)])
+
+
+U = F(1, 2**53)
+SCALES = [("random", 1.0, 0.0), ("extreme scale, offset", 1.0, 1e9), ("extreme scale", 1e150, 0.0), ("extreme scale", 1e-150, 0.0),
+          ("extreme scale", 1e300, 0.0), ("coincident points", 0.0, 3.0)]
+for why, s, o in SCALES:
+    for n in (2, 3, 7, 24):
+        p = [tuple(o + s * c.short(-1, 1) for _ in range(3)) for _ in range(n)]
+        p[0] = p[0][:2] + (p[0][2] + (s or 1.0),)
+        for kind in (BOX, UNIFORM, NONE):
+            of(kind, p, why)
+for at in range(9):
+    for bad in (nan, inf, -inf):
+        p = [c.short(-1, 1) for _ in range(9)]
+        p[at] = bad
+        row("frame_of", "exact", "not a number or infinite", [at % 3] + p, [2] + ZERO)
+for _ in range(24):
+    a = c.real(-9, 9)
+    p = [(a, 0.0, 0.0), (a * (1 + 2.0**-52), 0.0, 0.0)]
+    for kind in (BOX, UNIFORM):
+        of(kind, p, "nearly coincident points")
+for k in range(60):
+    e = 2.0 ** (c.upto(1000) - 500)
+    o, s = c.real(-5, 5) * e, c.real(0.1, 9) * e
+    for why, x in [("random", o + s * c.real(0, 1)), ("end of domain", o), ("end of domain", o + s), ("outside", o - s)]:
+        row("frame_to_unit", "ulp 3", why, [o, s, x], [(F(x) - F(o)) / F(s)])
+    for why, t in [("random", c.real(0, 1)), ("end of domain", 0.0), ("end of domain", 1.0), ("outside", c.real(-9, 9)), ("extreme scale", 5e-324)]:
+        # fl(o + fl(s t)) and the wanted value's own rounding; s t may underflow.
+        v = F(o) + F(s) * F(t)
+        row("frame_from_unit", "abs " + bound_of(U * (abs(F(s) * F(t)) * (1 + U) + 2 * abs(v)) + F(1, 2**1074)), why, [o, s, t], [v])

@@ -5,7 +5,7 @@ The 10000th output of seed 5489 is the C++ standard's check value of this genera
 from decimal import Decimal as D, getcontext
 from fractions import Fraction as F
 
-from rational import head, row
+from rational import Choices, head, row
 
 getcontext().prec = 60
 MASK = 2**64 - 1
@@ -97,3 +97,27 @@ for n in (1, 2, 3, 10, 7352, 2**31, 2**31 + 1, 3 * 2**30, 2**32 - 1, 2**32, 2**3
         t = Twister(seed)
         values = [t.index(n) for _ in range(8)]
         row("rng_index", "bits", "rejects" if t.draws > (8 if n < 2**32 else 16) else "does not reject", [seed, n], values + [t.draws])
+
+
+c = Choices(29)
+for k in range(300):
+    seed, n = c.bits(c.between(1, 64)), c.bits(c.between(1, 64))
+    row("rng_stream", "exact", "random", [seed, n], [stream(seed, n)])
+for k in range(60):
+    seed = c.bits(c.between(1, 64)) if k % 3 else k
+    skip = c.between(0, 700)
+    t = Twister(seed)
+    for _ in range(skip):
+        t.next()
+    values = [t.uniform() for _ in range(8)]
+    why = "seed of %d bits" % seed.bit_length()
+    row("rng_uniform", "bits", why, [seed, skip], values[:3])
+    row("rng_fill", "bits", why, [seed, skip], values)
+    row("rng_seek", "bits", why, [seed, skip + 3], values[3:4])
+    t = Twister(seed)
+    row("rng_normal", "ulp 5", why, [seed, 0], [t.normal() for _ in range(3)])
+    for n in (c.bits(c.between(1, 31)) + 1, c.bits(c.between(1, 64)) + 1):
+        if n <= MASK:
+            t = Twister(seed)
+            values = [t.index(n) for _ in range(4)]
+            row("rng_index", "bits", "rejects" if t.draws > (4 if n < 2**32 else 8) else "does not reject", [seed, n], values + [t.draws])
