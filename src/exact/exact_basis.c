@@ -10,8 +10,8 @@ static fmpq *rationals(const double *u, size_t n)
     return q;
 }
 
-/* N[0..p], the functions of degree p that are not zero in the span [t[-1], t[0]) of the knots before t, t included, and behind: Cox-de Boor, a function
- * at a time from the right, so that those of one degree take the place of those of the last. */
+/* N[0..p], the functions of degree p that are not zero in the span [t[-1], t[0]) of the knots around t: Cox-de Boor, a function at a time from the
+ * right, so that those of one degree take the place of those of the last. */
 static void values(fmpq *N, const fmpq *t, size_t p, const fmpq_t x)
 {
     fmpq_t a, b;

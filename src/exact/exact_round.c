@@ -50,8 +50,8 @@ static slong last_place(slong e)
     return e - (DIGITS - 1) > LAST_PLACE ? e - (DIGITS - 1) : LAST_PLACE;
 }
 
-/* The double k 2^place, where the exact multiple lies `above` the middle between k and k+1 (1), at it (0), or below (-1).  k <= 2^53, so the product is
- * exact or overflows. */
+/* The double k 2^place or (k+1) 2^place: the exact multiple lies above the middle between the two (above > 0), at it (0), or below.  Neither
+ * exceeds 2^53, so the product is exact or overflows. */
 static double assemble(fmpz_t k, int above, slong place)
 {
     if (above > 0 || (above == 0 && fmpz_is_odd(k))) {

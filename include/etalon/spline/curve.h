@@ -2,12 +2,12 @@
  *
  *     C(x) = sum_i N_i,p(x) w_i P_i / sum_i N_i,p(x) w_i.
  *
- * The order of operations is part of the contract: with c a coordinate of P_i, or fl(w_i c) and w_i if there are weights, sums run from left to right over
- * the p+1 functions that are not zero, each product and sum rounded; last, with weights, the division by the sum for w.  x outside the domain is
+ * The order of operations is part of the contract: with c a coordinate of P_i, or fl(w_i c) and w_i if there are weights, sums run from left to right
+ * over the p+1 functions that are not zero, each product and sum rounded; last, with weights, the division by the sum for w.  x outside the domain is
  * clamped to it.
  *
- * Error of a coordinate of a polynomial curve: at most ((1-u)^-m - 1) sum N |c|, m = 7p, barring underflow; a rational one: the same bound for numerator
- * (m + 1) and denominator, and one rounding.
+ * Error of a coordinate of a polynomial curve: at most ((1-u)^-m - 1) sum N |c|, m = 7p, barring underflow; a rational one: the same bound for
+ * numerator (m + 1) and denominator, and one rounding.
  */
 #ifndef ETALON_SPLINE_CURVE_H
 #define ETALON_SPLINE_CURVE_H
@@ -92,8 +92,8 @@ size_t et_curve_work(const et_curve *c, size_t d);
 */
 et_vec3 et_curve_point(const et_curve *c, double x, double *work, size_t nwork);
 
-/* D[k] = the k-th derivative of C at x, k = 0..d (A3.2; with weights A4.2, Eq. 4.8), at inner knots from the right, at the right end from the left.  D[0]
- * has the bits of et_curve_point; derivatives of a polynomial curve beyond the degree are +0.
+/* D[k] = the k-th derivative of C at x, k = 0..d (A3.2; with weights A4.2, Eq. 4.8), at inner knots from the right, at the right end from the left.
+ * D[0] has the bits of et_curve_point; derivatives of a polynomial curve beyond the degree are +0.
  *
  * Error of a coordinate of a polynomial curve's k-th derivative: at most ((1-u)^-(7p+3) - 1) M_k, M_k the sum of the magnitudes of all terms,
  * p!/(p-k)! sum_ij |a_kj| N_{i+j,p-k} |c_i| (et_basis_ders).  A rational curve's derivatives satisfy Leibniz' rule for w C = A up to roundings:
