@@ -189,3 +189,16 @@ verdict gold_knotrule_make(const row *r)
         ok = row_is(r, i - p - 1, u[i]);
     return ok ? PASS : FAIL;
 }
+
+/* kind p nu nt t, too many of them or too few. */
+verdict gold_knotrule_make_status(const row *r)
+{
+    const size_t nu = row_size(r, 2), nt = row_size(r, 3);
+    double t[64] = {0}, u[64];
+
+    if (nu > 64 || nt > 64 || r->nargs != 4 + nt)
+        return FAIL;
+    for (size_t i = 0; i < nt; i++)
+        t[i] = row_real(r, 4 + i);
+    return row_is_size(r, 0, (size_t)et_knotrule_make(u, nu, row_size(r, 1), t, nt, (et_knotrule_kind)row_size(r, 0))) ? PASS : FAIL;
+}

@@ -248,6 +248,19 @@ verdict prop_param_standardise(gen *g)
     return gen_check(g, a[0] == 0 && a[n - 1] == 1 && a[n] == 5 && b[n] == 5, "ends") ? PASS : FAIL;
 }
 
+/* method nx ny; the points are those of a lattice. */
+verdict gold_param_grid_status(const row *r)
+{
+    const size_t nx = row_size(r, 1), ny = row_size(r, 2);
+    et_vec3 D[64] = {{0, 0, 0}};
+    double a[16], b[16];
+    size_t flat = 0;
+
+    for (size_t i = 0; i < nx * ny && i < 64; i++)
+        D[i] = (et_vec3){(double)(i / ny), (double)(i % ny), 0};
+    return row_is_size(r, 0, (size_t)et_param_grid(a, nx, b, ny, &flat, D, (et_param_method)row_size(r, 0))) ? PASS : FAIL;
+}
+
 /* Rows: n, a, b; wanted: the means. */
 verdict gold_param_standardise(const row *r)
 {
