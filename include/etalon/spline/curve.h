@@ -79,7 +79,7 @@ void et_curve_free(et_curve *c);
  * fit, so that no allocation succeeds. */
 /*@ requires c:    \valid_read(c);
     assigns  \nothing;
-    ensures  room: \result == SIZE_MAX || \result == et_curve_room(c, d);
+    ensures  room: \result >= 2;
 */
 size_t et_curve_work(const et_curve *c, size_t d);
 
