@@ -306,11 +306,13 @@ def fits(c):
 def failures(c):
     """(reason, net, whether singular); the parameters are chord lengths of walks, i / 16 and i / 8."""
     for n, m, p, q, rule, steps, why in (((6, 3), (4, 2), 1, 1, "uniform", (0, 0, 1), "repeated sites"), ((5, 3), (5, 2), 1, 1, "uniform", (1, 1, 2), "Schoenberg-Whitney violated"),
-                                         ((7, 3), (5, 2), 3, 1, "uniform", (0, 1), "repeated sites"), ((5, 5), (2, 4), 1, 1, "uniform", (0, 1), "repeated sites"),
+                                         ((7, 3), (5, 2), 3, 1, "uniform", (0, 1), "repeated sites"), ((5, 5), (2, 5), 1, 1, "uniform", (0, 1), "repeated sites"),
                                          ((9, 4), (9, 2), 1, 1, "uniform", (1,), "Schoenberg-Whitney violated"), ((6, 4), (6, 2), 2, 1, "uniform", (1, 2), "Schoenberg-Whitney violated"),
                                          ((3, 6), (2, 5), 1, 2, "faithful", (0, 1), "singular"), ((6, 3), (5, 2), 2, 1, "faithful", (0, 1), "singular")):
         made = 0
-        while made < 4:
+        for _ in range(60):
+            if made == 4:
+                break
             (x, s), (y, r) = walked(c, n[0], 16, steps), walked(c, n[1], 8, (1, 2) if n[1] < 5 else steps)
             try:
                 net = Net(rule, p, q, n, m, sheet(n, x, y), s, r, 1)
