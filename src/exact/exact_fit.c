@@ -225,9 +225,12 @@ static et_status knots_of(et_fit *fit, const et_fit_options *o)
     et_status status = et_shell_new(&fit->shell, o->p, o->q, c, 0);
 
     for (size_t w = 0; status == ET_OK && w < 2; w++) {
-        status = et_exact_knotrule_make(fit->shell.view[w].u, c.nx + o->p + 1, o->p, fit->s[w], n.nx, o->knots);
+        const et_surface *view = &fit->shell.view[w];
+        status = et_exact_knotrule_make(view->u, c.nx + o->p + 1, o->p, fit->s[w], n.nx, o->knots);
         if (status == ET_OK)
-            status = et_exact_knotrule_make(fit->shell.view[w].v, c.ny + o->q + 1, o->q, fit->r[w], n.ny, o->knots);
+            status = et_exact_knotrule_make(view->v, c.ny + o->q + 1, o->q, fit->r[w], n.ny, o->knots);
+        if (status == ET_OK && (!et_knots_valid(view->u, c.nx + o->p + 1, o->p) || !et_knots_valid(view->v, c.ny + o->q + 1, o->q)))
+            status = ET_EFORMAT; /* closer than 2^-1022: distances of 1 and of 1e308 in one row */
     }
     return status;
 }
