@@ -1,6 +1,5 @@
 #include "etalon/base/real.h"
 #include <float.h>
-#include <math.h>
 
 /* Double precision must be double precision: no x87 registers.  Where the method is 1 (s390x) only floats are evaluated as doubles. */
 typedef char et_real_assert_evaluation[FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1 ? 1 : -1];
@@ -38,29 +37,4 @@ double et_real_sum(const double *x, size_t n)
     }
     size_t left = (n / BLOCK + 1) / 2 * BLOCK;     /* whole blocks, so that only the last is short */
     return et_real_sum(x, left) + et_real_sum(x + left, n - left);
-}
-
-double et_real_exp(double x)
-{
-    return exp(x);
-}
-
-double et_real_log(double x)
-{
-    return log(x);
-}
-
-double et_real_pow(double x, double y)
-{
-    return pow(x, y);
-}
-
-double et_real_sin(double x)
-{
-    return sin(x);
-}
-
-double et_real_cos(double x)
-{
-    return cos(x);
 }
