@@ -47,7 +47,9 @@ double et_exact_vec3_distance(et_vec3 a, et_vec3 b);
  * Golden: none (the rows of et_frame_to_unit are checked against it). */
 /*@ requires points: \valid(points + (0 .. n - 1));
     requires frame:  \valid_read(frame);
-    requires scale:  frame->scale.x > 0.0 && frame->scale.y > 0.0 && frame->scale.z > 0.0;
+    requires finite: et_points_finite(points, n) && \is_finite(frame->offset.x) && \is_finite(frame->offset.y) && \is_finite(frame->offset.z);
+    requires scale:  \is_finite(frame->scale.x) && \is_finite(frame->scale.y) && \is_finite(frame->scale.z) &&
+                     frame->scale.x > 0.0 && frame->scale.y > 0.0 && frame->scale.z > 0.0;
     requires apart:  \separated(frame, points + (0 .. n - 1));
     assigns  points[0 .. n - 1];
 */
@@ -57,6 +59,8 @@ void et_exact_frame_to_unit(et_vec3 *points, size_t n, const et_frame *frame);
  * Golden: none (the rows of et_frame_from_unit are checked against it). */
 /*@ requires points: \valid(points + (0 .. n - 1));
     requires frame:  \valid_read(frame);
+    requires finite: et_points_finite(points, n) && \is_finite(frame->offset.x) && \is_finite(frame->offset.y) && \is_finite(frame->offset.z);
+    requires scale:  \is_finite(frame->scale.x) && \is_finite(frame->scale.y) && \is_finite(frame->scale.z);
     requires apart:  \separated(frame, points + (0 .. n - 1));
     assigns  points[0 .. n - 1];
 */
@@ -68,6 +72,7 @@ void et_exact_frame_from_unit(et_vec3 *points, size_t n, const et_frame *frame);
     requires N:      \valid(N + (0 .. p));
     requires knots:  \valid_read(u + (0 .. nu - 1));
     requires span:   p <= span <= nu - p - 2 && u[span] < u[span + 1];
+    requires inside: (u[span] <= x || u[span] <= u[p]) && (x <= u[span + 1] || u[nu - p - 1] <= u[span + 1]);
     requires finite: \is_finite(x) && \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
     requires sorted: \forall integer i, j; 0 <= i <= j < nu ==> u[i] <= u[j];
     assigns  N[0 .. p];
@@ -81,6 +86,7 @@ et_status et_exact_basis_eval(double *N, const double *u, size_t nu, size_t p, s
     requires D:      \valid(D + (0 .. (d + 1) * (p + 1) - 1));
     requires knots:  \valid_read(u + (0 .. nu - 1));
     requires span:   p <= span <= nu - p - 2 && u[span] < u[span + 1];
+    requires inside: (u[span] <= x || u[span] <= u[p]) && (x <= u[span + 1] || u[nu - p - 1] <= u[span + 1]);
     requires finite: \is_finite(x) && \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
     requires sorted: \forall integer i, j; 0 <= i <= j < nu ==> u[i] <= u[j];
     assigns  D[0 .. (d + 1) * (p + 1) - 1];
