@@ -6,10 +6,10 @@ want "text" 0 "$etalon" compare s.xyz $common
 for w in conventional improved joint ceres ga de pso; do grep -q "^  $w " out || { fail "text has $w"; }; done
 [ "$(grep -c '^control' out)" -eq 4 ] && pass "a block a case" || fail "a block a case"
 want "csv" 0 "$etalon" compare s.xyz $common --format csv -o t.csv
-[ "$(wc -l < t.csv)" -eq $((1 + 4 * 7)) ] && pass "a line a contender" || fail "a line a contender"
+[ "$(wc -l < t.csv)" -eq $((1 + 4 * 8)) ] && pass "a line a contender" || fail "a line a contender"
 want "json" 0 "$etalon" compare s.xyz $common --json
 cp out t.json
-holds "rows" "len(j['rows']) == 28 and all(r['least'] <= r['error'] * (1 + 1e-12) and r['error'] <= r['greatest'] * (1 + 1e-12) for r in j['rows'])" t.json
+holds "rows" "len(j['rows']) == 32 and all(r['least'] <= r['error'] * (1 + 1e-12) and r['error'] <= r['greatest'] * (1 + 1e-12) for r in j['rows'])" t.json
 holds "runs" "all(r['runs'] == (3 if r['contender'] in ('ga', 'de', 'pso') else 1) for r in j['rows'])" t.json
 holds "no gaps but in the conventional" "all((r['seam_gap'] == 0) != (r['contender'] == 'conventional') for r in j['rows'])" t.json
 want "two threads" 0 "$etalon" compare s.xyz $common --json --threads 2
