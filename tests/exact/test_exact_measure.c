@@ -1,0 +1,829 @@
+#include "etalon/base/real.h"
+#include "etalon/base/rng.h"
+#include "etalon/exact/exact.h"
+#include "exact/nearest.h"
+#include "gen.h"
+#include "golden.h"
+#include <flint/fmpq.h>
+#include <stdlib.h>
+
+enum { SIDE = 4, DEGREE = 3, NODES = SIDE * SIDE, CLASSES = 2 * NODES, SAMPLES = 2 };
+
+/* ---- a second way: rationals by the definitions, roots and their sums by MPFR ---- */
+
+static void of_double(fmpq_t q, double x)
+{
+    int e;
+    const double m = frexp(x, &e);
+
+    fmpq_set_si(q, (slong)ldexp(m, 53), 1);
+    if (e >= 53)
+        fmpq_mul_2exp(q, q, (ulong)(e - 53));
+    else
+        fmpq_div_2exp(q, q, (ulong)(53 - e));
+}
+
+static void exactly(mpfr_t v, const fmpq_t q)
+{
+    mpfr_t d;
+
+    mpfr_init2(d, SECOND_BITS);
+    fmpz_get_mpfr(v, fmpq_numref(q), MPFR_RNDN);
+    fmpz_get_mpfr(d, fmpq_denref(q), MPFR_RNDN);
+    mpfr_div(v, v, d, MPFR_RNDN);
+    mpfr_clear(d);
+}
+
+/* The double nearest to (sum of the square roots of q[0..n-1]) / divisor. */
+static double sum_of_roots(const fmpq *q, size_t n, size_t divisor)
+{
+    mpfr_t sum, x;
+    double result;
+
+    mpfr_init2(sum, SECOND_BITS);
+    mpfr_init2(x, SECOND_BITS);
+    mpfr_set_zero(sum, 1);
+    for (size_t k = 0; k < n; k++) {
+        exactly(x, q + k);
+        mpfr_sqrt(x, x, MPFR_RNDN);
+        mpfr_add(sum, sum, x, MPFR_RNDN);
+    }
+    mpfr_div_ui(sum, sum, (unsigned long)divisor, MPFR_RNDN);
+    result = nearest(sum);
+    mpfr_clear(sum);
+    mpfr_clear(x);
+    return result;
+}
+
+/* N_{i,p}(x) by Cox and de Boor's recursion; x of the domain, whose end belongs to the last span that is not empty. */
+static void deboor(fmpq_t N, const double *u, size_t i, size_t p, double x, double end)
+{
+    fmpq_t a, b, c;
+
+    if (p == 0) {
+        fmpq_set_si(N, (u[i] <= x && x < u[i + 1]) || (x == end && u[i] < end && u[i + 1] == end), 1);
+        return;
+    }
+    fmpq_init(a);
+    fmpq_init(b);
+    fmpq_init(c);
+    fmpq_zero(N);
+    for (size_t k = 0; k < 2; k++) {
+        /* (x - u_i)/(u_{i+p} - u_i) N_{i,p-1} and (u_{i+p+1} - x)/(u_{i+p+1} - u_{i+1}) N_{i+1,p-1} */
+        const double from = k == 0 ? u[i] : u[i + p + 1], to = k == 0 ? u[i + p] : u[i + 1];
+        if (from == to || x < u[i + k] || x > u[i + k + p])
+            continue;
+        deboor(c, u, i + k, p - 1, x, end);
+        of_double(a, x);
+        of_double(b, from);
+        fmpq_sub(a, a, b);
+        fmpq_mul(c, c, a);
+        of_double(a, to);
+        fmpq_sub(a, a, b);
+        fmpq_div(c, c, a);
+        fmpq_add(N, N, c);
+    }
+    fmpq_clear(a);
+    fmpq_clear(b);
+    fmpq_clear(c);
+}
+
+/* A[i*n + j] = N_j(t[i]). */
+static fmpq *basis_matrix(const double *t, size_t m, const double *u, size_t n, size_t p)
+{
+    fmpq *A = _fmpq_vec_init((slong)(m * n));
+
+    for (size_t i = 0; i < m; i++)
+        for (size_t j = 0; j < n; j++)
+            deboor(A + i * n + j, u, j, p, fmin(fmax(t[i], u[p]), u[n]), u[n]);
+    return A;
+}
+
+/* S = sum N M w P / sum N M w for one row of each matrix. */
+static void surface_point(fmpq *S, const et_surface *s, const fmpq *N, const fmpq *M)
+{
+    fmpq_t b, c, w;
+
+    fmpq_init(b);
+    fmpq_init(c);
+    fmpq_init(w);
+    for (size_t k = 0; k < 3; k++)
+        fmpq_zero(S + k);
+    for (size_t at = 0; at < s->nu * s->nv; at++) {
+        if (fmpq_is_zero(N + at / s->nv) || fmpq_is_zero(M + at % s->nv))
+            continue;
+        fmpq_mul(b, N + at / s->nv, M + at % s->nv);
+        of_double(c, s->weights == NULL ? 1 : s->weights[at]);
+        fmpq_mul(b, b, c);
+        fmpq_add(w, w, b);
+        for (size_t k = 0; k < 3; k++) {
+            of_double(c, (&s->points[at].x)[k]);
+            fmpq_addmul(S + k, b, c);
+        }
+    }
+    for (size_t k = 0; k < 3; k++)
+        fmpq_div(S + k, S + k, w);
+    fmpq_clear(b);
+    fmpq_clear(c);
+    fmpq_clear(w);
+}
+
+static void square(fmpq_t q, const fmpq *A, const fmpq *B)
+{
+    fmpq_t d;
+
+    fmpq_init(d);
+    fmpq_zero(q);
+    for (size_t k = 0; k < 3; k++) {
+        fmpq_sub(d, A + k, B + k);
+        fmpq_addmul(q, d, d);
+    }
+    fmpq_clear(d);
+}
+
+static void point_of(fmpq *P, et_vec3 p)
+{
+    of_double(P, p.x);
+    of_double(P + 1, p.y);
+    of_double(P + 2, p.z);
+}
+
+/* ---- bounds of the fast way ---- */
+
+/* Error of a coordinate of a point: at most ((1-u)^-m - 1) |P|, m = 7 (p + q), for a polynomial; numerator and denominator and the quotient for a rational
+ * one, (1-u)^-(2m + 3) - 1; three coordinates, for each |P| the greatest; (1-u)^-k - 1 < 1.01 k u. */
+static double point_bound(const et_surface *s)
+{
+    double size[3] = {0, 0, 0};
+
+    for (size_t at = 0; at < s->nu * s->nv; at++)
+        for (size_t k = 0; k < 3; k++)
+            size[k] = fmax(size[k], fabs((&s->points[at].x)[k]));
+    return 1.01 * (14 * (double)(s->p + s->q) + 3) * ET_UNIT * (size[0] + size[1] + size[2]);
+}
+
+/* ---- et_exact_fit_measure ---- */
+
+static double direction(gen *g)
+{
+    const double x = (double)gen_upto(g, 2);
+
+    return gen_upto(g, 1) ? -x : x;
+}
+
+/* Control points in 0 and data that are (3, 4, 0) or (1, 2, 2) times halved numbers: distances that are rational, their sums in the middle between two
+ * doubles more often than not. */
+static void draw_ties(gen *g, et_fit *f, et_vec3 *data, size_t nov)
+{
+    for (size_t w = 0; w < 2; w++)
+        for (size_t k = 0; k < f->shell.view[w].nu * f->shell.view[w].nv; k++)
+            f->shell.view[w].points[k] = (et_vec3){0, 0, 0};
+    for (size_t k = 0; k < nov; k++) {
+        const double a = ldexp((double)gen_upto(g, 3), -(int)gen_upto(g, 1) * (50 + (int)gen_upto(g, 4)));
+        data[k] = k == 0                 ? (et_vec3){0, 1, 0}
+                  : gen_upto(g, 1) == 1 ? (et_vec3){3 * a, 0, 4 * a}
+                                        : (et_vec3){2 * a, a, 2 * a};
+    }
+}
+
+static void draw_shell(gen *g, et_shell *s, bool rational)
+{
+    const size_t p = gen_between(g, 1, DEGREE), q = gen_between(g, 1, DEGREE);
+    const et_doublenet c = {gen_between(g, p + 1, SIDE), gen_between(g, q + 1, SIDE)};
+
+    et_shell_new(s, p, q, c, rational);
+    for (size_t w = 0; w < 2; w++) {
+        gen_knots(g, s->view[w].u, c.nx + p + 1, p);
+        gen_knots(g, s->view[w].v, c.ny + q + 1, q);
+        gen_points(g, &s->view[w].points[0].x, c.nx * c.ny);
+        for (size_t i = 0; rational && i < c.nx * c.ny; i++)
+            s->view[w].weights[i] = 0.5 + gen_real(g, 0, 2);
+    }
+}
+
+static void draw_fit(gen *g, et_fit *f, et_vec3 *data)
+{
+    const bool rational = gen_chance(g, 3);
+
+    memset(f, 0, sizeof *f);
+    draw_shell(g, &f->shell, rational);
+    f->data = (et_doublenet){gen_between(g, 2, SIDE), gen_between(g, 2, SIDE)};
+    for (size_t w = 0; w < 2; w++) {
+        const et_surface *s = &f->shell.view[w];
+        f->s[w] = calloc(f->data.nx, sizeof(double));
+        f->r[w] = calloc(f->data.ny, sizeof(double));
+        for (size_t i = 0; i < f->data.nx; i++)
+            f->s[w][i] = gen_parameter(g, s->u, s->nu + s->p + 1, s->p) - (double)gen_chance(g, 16);
+        for (size_t j = 0; j < f->data.ny; j++)
+            f->r[w][j] = gen_parameter(g, s->v, s->nv + s->q + 1, s->q) + (double)gen_chance(g, 16);
+    }
+    gen_points(g, &data[0].x, et_doublenet_nov(f->data));
+    for (size_t k = 0; k < et_doublenet_nov(f->data); k++) /* some are control points */
+        if (gen_chance(g, 4))
+            data[k] = f->shell.view[k % 2].points[k % (f->shell.view[0].nu * f->shell.view[0].nv)];
+    if (gen_chance(g, 3)) {
+        draw_ties(g, f, data, et_doublenet_nov(f->data));
+        gen_label(g, "ties");
+    }
+}
+
+/* q[w*nodes + i*ny + j]: squared distances. */
+static void all_squares(fmpq *q, const et_fit *f, const et_vec3 *data)
+{
+    const et_doublenet n = f->data;
+    fmpq *S = _fmpq_vec_init(6);
+
+    for (size_t w = 0; w < 2; w++) {
+        const et_surface *s = &f->shell.view[w];
+        fmpq *A = basis_matrix(f->s[w], n.nx, s->u, s->nu, s->p), *B = basis_matrix(f->r[w], n.ny, s->v, s->nv, s->q);
+        for (size_t i = 0; i < n.nx; i++)
+            for (size_t j = 0; j < n.ny; j++) {
+                surface_point(S, s, A + i * s->nu, B + j * s->nv);
+                point_of(S + 3, data[et_doublenet_class(n, w, i, j) - 1]);
+                square(q + w * n.nx * n.ny + i * n.ny + j, S, S + 3);
+            }
+        _fmpq_vec_clear(A, (slong)(n.nx * s->nu));
+        _fmpq_vec_clear(B, (slong)(n.ny * s->nv));
+    }
+    _fmpq_vec_clear(S, 6);
+}
+
+/* What et_exact_fit_measure should say. */
+static et_fit_error second_measure(double *residual, const et_fit *f, const et_vec3 *data)
+{
+    const et_doublenet n = f->data;
+    const size_t nodes = n.nx * n.ny;
+    fmpq *q = _fmpq_vec_init((slong)(2 * nodes)), *c = _fmpq_vec_init((slong)(2 * nodes));
+    et_fit_error e = {0, 0, 0, 0};
+
+    all_squares(q, f, data);
+    for (size_t at = 2 * nodes; at-- > 0;) { /* the bottom view's last, so that the border's are its */
+        const size_t i = at % nodes / n.ny, j = at % n.ny, k = et_doublenet_class(n, at / nodes, i, j) - 1;
+        residual[k] = sum_of_roots(q + at, 1, 1);
+        fmpq_set(c + k, q + at);
+        e.greatest = fmax(e.greatest, residual[k]);
+        if (i % (n.nx - 1) == 0 && j % (n.ny - 1) == 0)
+            e.corner = fmax(e.corner, residual[k]);
+    }
+    e.nov = sum_of_roots(c, et_doublenet_nov(n), 1);
+    e.non = sum_of_roots(q, 2 * nodes, 1);
+    _fmpq_vec_clear(q, (slong)(2 * nodes));
+    _fmpq_vec_clear(c, (slong)(2 * nodes));
+    return e;
+}
+
+static bool same(const void *a, const void *b, size_t n)
+{
+    return memcmp(a, b, n) == 0;
+}
+
+/* et_vec3_distance is within 3.5u of itself and, where squares vanish, 2^-536; a sum of n < 128 has at most 18 roundings; 1u for this one's own. */
+static bool near_measure(gen *g, const et_fit *f, const et_vec3 *data, const et_fit_error *e)
+{
+    const et_doublenet n = f->data;
+    const double one = fmax(point_bound(&f->shell.view[0]), point_bound(&f->shell.view[1])) + 0x1p-536, all = 2 * (double)(n.nx * n.ny) * one;
+    et_fit_error fast;
+
+    return gen_check(g, et_fit_measure(&fast, NULL, et_doublenet_nov(n), f, data) == ET_OK, "fast") &&
+           gen_check(g, fabs(fast.nov - e->nov) <= all + 24 * ET_UNIT * e->nov, "nov %a, fast %a", e->nov, fast.nov) &&
+           gen_check(g, fabs(fast.non - e->non) <= all + 24 * ET_UNIT * e->non, "non %a, fast %a", e->non, fast.non) &&
+           gen_check(g, fabs(fast.greatest - e->greatest) <= 1.01 * one + 6 * ET_UNIT * e->greatest, "greatest %a, fast %a", e->greatest, fast.greatest) &&
+           gen_check(g, fabs(fast.corner - e->corner) <= 1.01 * one + 6 * ET_UNIT * e->corner, "corner %a, fast %a", e->corner, fast.corner);
+}
+
+static bool measure_refuses(gen *g, et_fit *f, const et_vec3 *data)
+{
+    const size_t nov = et_doublenet_nov(f->data);
+    const et_doublenet n = f->data;
+    et_fit_error e = {1, 2, 3, 4};
+    double residual[CLASSES] = {9}, *t[4] = {f->s[0], f->s[1], f->r[0], f->r[1]}, *at = t[gen_upto(g, 3)], was = *at;
+    size_t bits = 7;
+    bool ok = et_exact_fit_measure(&e, residual, nov - 1, f, data, &bits) == ET_EINVAL && et_exact_fit_measure(&e, residual, nov + 1, f, data, &bits) == ET_EINVAL;
+
+    f->data.ny = 1;
+    ok = ok && et_exact_fit_measure(&e, residual, 2, f, data, &bits) == ET_EINVAL;
+    f->data = n;
+    *at = gen_upto(g, 1) ? NAN : INFINITY;
+    ok = ok && et_exact_fit_measure(&e, residual, nov, f, data, &bits) == ET_EINVAL;
+    *at = was;
+    at = &f->shell.view[gen_upto(g, 1)].points[0].y;
+    was = *at;
+    *at = NAN;
+    ok = ok && et_exact_fit_measure(&e, residual, nov, f, data, &bits) == ET_EINVAL;
+    *at = was;
+    return gen_check(g, ok && e.nov == 1 && e.non == 2 && e.greatest == 3 && e.corner == 4 && residual[0] == 9 && bits == 7, "bad arguments");
+}
+
+static void free_fit(et_fit *f)
+{
+    et_shell_free(&f->shell);
+    for (size_t w = 0; w < 2; w++) {
+        free(f->s[w]);
+        free(f->r[w]);
+    }
+}
+
+static bool measure_right(gen *g, et_fit *f, const et_vec3 *data)
+{
+    const size_t nov = et_doublenet_nov(f->data);
+    et_fit_error e, again, want;
+    double residual[CLASSES + 1], expect[CLASSES];
+    size_t bits = 0, start[2];
+
+    residual[nov] = 9;
+    if (!gen_check(g, et_exact_fit_measure(&e, residual, nov, f, data, &bits) == ET_OK && residual[nov] == 9 && bits >= 128, "measured"))
+        return false;
+    want = second_measure(expect, f, data);
+    for (size_t k = 0; k < nov; k++)
+        if (!gen_check(g, same(residual + k, expect + k, sizeof(double)), "class %zu: %a, not %a", k + 1, residual[k], expect[k]))
+            return false;
+    if (!gen_check(g, same(&e.nov, &want.nov, sizeof e.nov), "nov %a, not %a", e.nov, want.nov) ||
+        !gen_check(g, same(&e.non, &want.non, sizeof e.non), "non %a, not %a", e.non, want.non) ||
+        !gen_check(g, e.greatest == want.greatest && e.corner == want.corner, "%a %a, not %a %a", e.greatest, e.corner, want.greatest, want.corner))
+        return false;
+    start[0] = 4 * bits;
+    start[1] = gen_between(g, 1, 70);
+    for (size_t k = 0; k < 2; k++)
+        if (!gen_check(g, et_exact_fit_measure(&again, NULL, nov, f, data, start + k) == ET_OK && same(&again, &e, sizeof e), "from other bits on") ||
+            !gen_check(g, k == 1 || start[0] >= 4 * bits, "%zu bits", start[0]))
+            return false;
+    return gen_check(g, et_exact_fit_measure(&again, NULL, nov, f, data, NULL) == ET_OK && same(&again, &e, sizeof e), "bits not asked for");
+}
+
+verdict prop_exact_fit_measure(gen *g)
+{
+    et_vec3 data[CLASSES];
+    et_fit f;
+
+    draw_fit(g, &f, data);
+    et_fit_error e = {0, 0, 0, 0};
+    const bool ok = measure_refuses(g, &f, data) && measure_right(g, &f, data) && et_exact_fit_measure(&e, NULL, et_doublenet_nov(f.data), &f, data, NULL) == ET_OK &&
+                    near_measure(g, &f, data, &e);
+    free_fit(&f);
+    return ok ? PASS : FAIL;
+}
+
+/* Data 2^k times as far, to where doubles end: all errors are 2^k times as great, or infinite. */
+verdict prop_exact_fit_measure_scales(gen *g)
+{
+    const int up = (int)gen_between(g, 900, 1000), k = gen_upto(g, 1) ? -up - 60 : up;
+    et_vec3 data[CLASSES];
+    et_fit_error e, far;
+    et_fit f;
+    bool ok;
+
+    draw_fit(g, &f, data);
+    const size_t nov = et_doublenet_nov(f.data);
+    for (size_t i = 0; i < nov; i++)
+        data[i] = (et_vec3){direction(g), direction(g), direction(g)};
+    for (size_t w = 0; w < 2; w++)
+        for (size_t i = 0; i < f.shell.view[w].nu * f.shell.view[w].nv; i++)
+            f.shell.view[w].points[i] = (et_vec3){direction(g), direction(g), direction(g)};
+    ok = gen_check(g, et_exact_fit_measure(&e, NULL, nov, &f, data, NULL) == ET_OK, "measured");
+    for (size_t i = 0; i < nov; i++)
+        data[i] = (et_vec3){ldexp(data[i].x, k), ldexp(data[i].y, k), ldexp(data[i].z, k)};
+    for (size_t w = 0; w < 2; w++)
+        for (size_t i = 0; i < f.shell.view[w].nu * f.shell.view[w].nv; i++) {
+            et_vec3 *p = f.shell.view[w].points + i;
+            *p = (et_vec3){ldexp(p->x, k), ldexp(p->y, k), ldexp(p->z, k)};
+        }
+    ok = ok && gen_check(g, et_exact_fit_measure(&far, NULL, nov, &f, data, NULL) == ET_OK, "measured far away");
+    /* A subnormal is a rounded number rounded again here. */
+    const double lost = k < 0 ? 0x1p-1074 : 0;
+    ok = ok && gen_check(g, fabs(far.nov - ldexp(e.nov, k)) <= lost && fabs(far.non - ldexp(e.non, k)) <= lost && fabs(far.greatest - ldexp(e.greatest, k)) <= lost &&
+                                fabs(far.corner - ldexp(e.corner, k)) <= lost,
+                         "scaled by 2^%d: %a is not %a", k, far.nov, ldexp(e.nov, k));
+    free_fit(&f);
+    return ok ? PASS : FAIL;
+}
+
+/* Distances 2^1023 add up to infinity, and one beyond the greatest double is infinite, while the exact arithmetic goes on. */
+verdict prop_exact_fit_measure_overflow(gen *g)
+{
+    const double far = ldexp((double)gen_between(g, 8, 15), 1020);
+    et_vec3 data[4] = {{-far, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    double s[2] = {0, 1};
+    et_fit f = {.data = {2, 2}, .s = {s, s}, .r = {s, s}};
+    et_fit_error e = {0, 0, 0, 0};
+    bool ok;
+
+    et_shell_new(&f.shell, 1, 1, (et_doublenet){2, 2}, 0);
+    for (size_t w = 0; w < 2; w++) {
+        et_surface *v = &f.shell.view[w];
+        v->u[2] = v->u[3] = v->v[2] = v->v[3] = 1;
+        v->points[0] = (et_vec3){w == 0 ? 0 : far, 0, 0};
+    }
+    ok = gen_check(g, et_exact_fit_measure(&e, NULL, 4, &f, data, NULL) == ET_OK && e.nov == far && isinf(e.non) && isinf(e.greatest) && isinf(e.corner),
+                   "%a %a %a %a", e.nov, e.non, e.greatest, e.corner);
+    et_shell_free(&f.shell);
+    return ok ? PASS : FAIL;
+}
+
+/* ---- et_exact_seam_gap ---- */
+
+/* All sample parameters of one direction by definition: for each pair of neighbouring distinct knots, found by search. */
+static size_t samples_of(double *t, const double *a, const double *b, size_t na, size_t nb, size_t samples)
+{
+    size_t n = 0;
+    double x = 0;
+
+    t[n++] = 0;
+    while (x < 1) {
+        double next = 1;
+        for (size_t i = 0; i < na; i++)
+            next = a[i] > x && a[i] < next ? a[i] : next;
+        for (size_t i = 0; i < nb; i++)
+            next = b[i] > x && b[i] < next ? b[i] : next;
+        for (size_t i = 1; i <= samples; i++)
+            t[n++] = x + (next - x) * ((double)i / (double)(samples + 1));
+        t[n++] = next;
+        x = next;
+    }
+    return n;
+}
+
+enum { MOST = 2 * SIDE * (SAMPLES + 1) + 2 };
+
+/* The greatest square of all pairs of a[0..na-1] and b[0..nb-1] in turn, a outer, where it exceeds `best`. */
+static void greatest_gap(fmpq_t best, et_seam *where, const et_shell *s, const double *a, size_t na, const double *b, size_t nb, bool swapped)
+{
+    fmpq *N[2], *M[2], *S = _fmpq_vec_init(6);
+    fmpq_t q;
+
+    fmpq_init(q);
+    for (size_t w = 0; w < 2; w++) {
+        N[w] = basis_matrix(a, na, s->view[w].u, s->view[w].nu, s->view[w].p);
+        M[w] = basis_matrix(b, nb, s->view[w].v, s->view[w].nv, s->view[w].q);
+    }
+    for (size_t k = 0; k < na * nb; k++) {
+        const size_t i = swapped ? k % na : k / nb, j = swapped ? k / na : k % nb;
+        for (size_t w = 0; w < 2; w++)
+            surface_point(S + 3 * w, &s->view[w], N[w] + i * s->view[w].nu, M[w] + j * s->view[w].nv);
+        square(q, S, S + 3);
+        if (fmpq_cmp(q, best) > 0) {
+            fmpq_set(best, q);
+            where->u = a[i];
+            where->v = b[j];
+        }
+    }
+    for (size_t w = 0; w < 2; w++) {
+        _fmpq_vec_clear(N[w], (slong)(na * s->view[w].nu));
+        _fmpq_vec_clear(M[w], (slong)(nb * s->view[w].nv));
+    }
+    _fmpq_vec_clear(S, 6);
+    fmpq_clear(q);
+}
+
+static et_seam second_gap(const et_shell *s, size_t samples)
+{
+    static const double ends[2] = {0, 1};
+    const et_surface *a = &s->view[0], *b = &s->view[1];
+    double t[MOST];
+    et_seam gap = {0, 0, 0};
+    fmpq *best = _fmpq_vec_init(1);
+
+    size_t n = samples_of(t, a->v, b->v, a->nv + a->q + 1, b->nv + b->q + 1, samples);
+    greatest_gap(best, &gap, s, ends, 2, t, n, true);
+    n = samples_of(t, a->u, b->u, a->nu + a->p + 1, b->nu + b->p + 1, samples);
+    greatest_gap(best, &gap, s, t, n, ends, 2, false);
+    gap.distance = sum_of_roots(best, 1, 1);
+    _fmpq_vec_clear(best, 1);
+    return gap;
+}
+
+static void close_shell(et_shell *s)
+{
+    et_surface *a = &s->view[0], *b = &s->view[1];
+
+    memcpy(b->u, a->u, (a->nu + a->p + 1) * sizeof(double));
+    memcpy(b->v, a->v, (a->nv + a->q + 1) * sizeof(double));
+    for (size_t at = 0; at < a->nu * a->nv; at++)
+        if (at / a->nv % (a->nu - 1) == 0 || at % a->nv % (a->nv - 1) == 0) {
+            b->points[at] = a->points[at];
+            if (a->weights != NULL)
+                b->weights[at] = a->weights[at];
+        }
+}
+
+/* The top is the bottom moved by steps that are equal or differ in the last digit: gaps that are equal, or nearly so. */
+static void draw_nearly_equal(gen *g, et_shell *s)
+{
+    const et_surface *a = &s->view[0];
+
+    memcpy(s->view[1].u, a->u, (a->nu + a->p + 1) * sizeof(double));
+    memcpy(s->view[1].v, a->v, (a->nv + a->q + 1) * sizeof(double));
+    for (size_t at = 0; at < a->nu * a->nv; at++) {
+        const uint64_t kind = gen_upto(g, 3);
+        const double d = kind == 0 ? 1 : kind == 1 ? 0x1.0000000000001p0 : kind == 2 ? -1 : 0x1.fffffffffffffp-1;
+        a->points[at] = (et_vec3){0, 0, 0};
+        s->view[1].points[at] = gen_upto(g, 1) ? (et_vec3){d, 0, 0} : (et_vec3){0, 0.6, 0.8 * d};
+        if (a->weights != NULL)
+            a->weights[at] = s->view[1].weights[at] = 1;
+    }
+}
+
+static bool seam_refuses(gen *g, et_shell *s, size_t samples)
+{
+    et_seam gap = {5, 6, 7};
+    et_surface *view = &s->view[gen_upto(g, 1)];
+    const bool in_u = gen_upto(g, 1) == 1, start = gen_upto(g, 1) == 1;
+    const size_t p = in_u ? view->p : view->q, n = in_u ? view->nu : view->nv;
+    double *t = (in_u ? view->u : view->v) + (start ? 0 : n);
+    bool ok;
+
+    ok = gen_check(g, et_exact_seam_gap(&gap, s, (size_t)-1) == ET_ENOMEM && et_exact_seam_gap(&gap, s, SIZE_MAX / 2) == ET_ENOMEM, "too many samples");
+    for (size_t i = 0; i <= p; i++)
+        t[i] = start ? -1 : 2;
+    ok = gen_check(g, et_exact_seam_gap(&gap, s, samples) == ET_EINVAL, "a domain that is not [0,1]") && ok;
+    for (size_t i = 0; i <= p; i++)
+        t[i] = start ? 0 : 1;
+    view->points[0].x = NAN;
+    ok = gen_check(g, et_exact_seam_gap(&gap, s, samples) == ET_EINVAL, "an invalid shell") && ok;
+    return gen_check(g, gap.distance == 5 && gap.u == 6 && gap.v == 7, "written though refused") && ok;
+}
+
+verdict prop_exact_seam_gap(gen *g)
+{
+    const size_t samples = gen_upto(g, SAMPLES);
+    const uint64_t kind = gen_upto(g, 3);
+    et_shell s;
+    et_seam gap = {5, 6, 7}, fast = {5, 6, 7};
+    bool ok;
+
+    draw_shell(g, &s, gen_chance(g, 3));
+    if (kind == 0)
+        close_shell(&s);
+    if (kind == 1)
+        draw_nearly_equal(g, &s);
+    gen_label(g, kind == 0 ? "closed" : kind == 1 ? "nearly equal gaps" : "open");
+    ok = gen_check(g, et_exact_seam_gap(&gap, &s, samples) == ET_OK && et_seam_gap(&fast, &s, samples) == ET_OK, "measured");
+    const et_seam expect = second_gap(&s, samples);
+    const double bound = point_bound(&s.view[0]) + point_bound(&s.view[1]) + 0x1p-536;
+    ok = ok && gen_check(g, same(&gap, &expect, sizeof gap), "gap %a at (%a, %a), not %a at (%a, %a)", gap.distance, gap.u, gap.v, expect.distance, expect.u,
+                         expect.v);
+    ok = ok && gen_check(g, kind != 0 || (gap.distance == 0 && gap.u == 0 && gap.v == 0), "a closed shell's gap %a", gap.distance);
+    ok = ok && gen_check(g, fabs(fast.distance - gap.distance) <= 1.01 * bound + 6 * ET_UNIT * gap.distance, "gap %a, fast %a", gap.distance, fast.distance);
+    ok = ok && seam_refuses(g, &s, samples);
+    et_shell_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+/* Knots not clamped: what matters is the domain. */
+verdict prop_exact_seam_gap_free_ends(gen *g)
+{
+    const size_t samples = gen_upto(g, SAMPLES);
+    et_shell s;
+    et_seam gap = {5, 6, 7};
+
+    draw_shell(g, &s, false);
+    for (size_t w = 0; w < 2; w++) {
+        et_surface *v = &s.view[w];
+        for (size_t i = 0; i < v->p; i++) {
+            v->u[i] = -gen_real(g, 0, 1) - (double)(v->p - i);
+            v->u[v->nu + v->p - i] = 1 + (double)(v->p - i);
+        }
+    }
+    const bool ok = gen_check(g, et_exact_seam_gap(&gap, &s, samples) == ET_OK, "measured");
+    const et_seam expect = second_gap(&s, samples);
+    et_shell_free(&s);
+    return ok && gen_check(g, same(&gap, &expect, sizeof gap), "gap %a at (%a, %a), not %a at (%a, %a)", gap.distance, gap.u, gap.v, expect.distance,
+                           expect.u, expect.v)
+               ? PASS
+               : FAIL;
+}
+
+/* ---- et_exact_quality_of ---- */
+
+enum { FEW = 12 };
+
+typedef struct {
+    et_doublenet net;
+    size_t nov, n;
+    et_vec3 weights[CLASSES], cloud[FEW];
+} job;
+
+/* From a small lattice, and half of them a last digit off it. */
+static void draw_lattice(gen *g, et_vec3 *p, size_t n, double scale)
+{
+    for (size_t k = 0; k < 3 * n; k++) {
+        const uint64_t to = gen_upto(g, 3);
+        const double x = (double)gen_upto(g, 2) / 2;
+        (&p[0].x)[k] = scale * (to == 1 ? nextafter(x, 2) : to == 2 ? nextafter(x, -2) : x);
+    }
+}
+
+static void draw_job(gen *g, job *j)
+{
+    static const double scales[] = {1, 0x1p498, 0x1p-530, 0x1p-540, 0x1p-1074, 0x1p-300};
+    const double scale = scales[gen_chance(g, 3) ? gen_upto(g, 5) : 0];
+    const uint64_t kind = gen_upto(g, 3);
+
+    j->net = (et_doublenet){gen_between(g, 2, SIDE), gen_between(g, 2, SIDE)};
+    j->nov = et_doublenet_nov(j->net);
+    j->n = gen_between(g, 1, FEW);
+    if (kind == 2) {
+        gen_points(g, &j->weights[0].x, j->nov);
+        gen_points(g, &j->cloud[0].x, j->n);
+        return;
+    }
+    draw_lattice(g, j->weights, j->nov, scale);
+    draw_lattice(g, j->cloud, j->n, scale);
+    if (kind == 3) /* whole distances: qe often rational */
+        for (size_t k = 0; k < j->n; k++) {
+            const double a = ldexp((double)gen_upto(g, 3), -(int)gen_upto(g, 1) * 52), far = 64;
+            const size_t c = gen_upto(g, j->nov - 1);
+            for (size_t i = 0; i < j->nov; i++)
+                j->weights[i] = (et_vec3){far * (double)i, 0, 0};
+            j->cloud[k] = (et_vec3){far * (double)c, 3 * a, gen_upto(g, 1) ? 4 * a : 0};
+        }
+}
+
+static size_t apart(size_t a, size_t b)
+{
+    return a > b ? a - b : b - a;
+}
+
+static void square_to(fmpq_t q, et_vec3 a, et_vec3 b)
+{
+    fmpq *P = _fmpq_vec_init(6);
+
+    point_of(P, a);
+    point_of(P + 3, b);
+    square(q, P, P + 3);
+    _fmpq_vec_clear(P, 6);
+}
+
+static et_som_quality second_quality(const job *j)
+{
+    fmpq *q = _fmpq_vec_init((slong)j->n), *d = _fmpq_vec_init((slong)j->nov);
+    et_som_quality e = {0, 0, INFINITY, 0, j->n};
+    size_t count = 0;
+
+    for (size_t s = 0; s < j->n; s++) {
+        size_t a = 0, b = j->nov;
+        for (size_t c = 0; c < j->nov; c++) {
+            square_to(d + c, j->weights[c], j->cloud[s]);
+            a = fmpq_cmp(d + c, d + a) < 0 ? c : a;
+        }
+        for (size_t c = 0; c < j->nov; c++)
+            if (c != a && (b == j->nov || fmpq_cmp(d + c, d + b) < 0))
+                b = c;
+        fmpq_set(q + s, d + a);
+        const et_index v = et_doublenet_index(j->net, a + 1), w = et_doublenet_index(j->net, b + 1);
+        count += apart(v.i, w.i) + apart(v.j, w.j) > 1 || apart(v.k, w.k) > 1;
+        e.min_error = fmin(e.min_error, sum_of_roots(d + a, 1, 1));
+        e.max_error = fmax(e.max_error, sum_of_roots(d + a, 1, 1));
+    }
+    e.qe = sum_of_roots(q, j->n, j->n);
+    e.te = (double)count / (double)j->n;
+    _fmpq_vec_clear(q, (slong)j->n);
+    _fmpq_vec_clear(d, (slong)j->nov);
+    return e;
+}
+
+static bool same_quality(gen *g, const et_som_quality *q, const et_som_quality *want)
+{
+    return gen_check(g, same(&q->qe, &want->qe, sizeof q->qe), "qe %a, not %a", q->qe, want->qe) &&
+           gen_check(g, same(&q->te, &want->te, sizeof q->te) && q->steps == want->steps, "te %a, not %a", q->te, want->te) &&
+           gen_check(g, same(&q->min_error, &want->min_error, sizeof q->qe) && same(&q->max_error, &want->max_error, sizeof q->qe), "from %a to %a, not %a to %a",
+                     q->min_error, q->max_error, want->min_error, want->max_error);
+}
+
+/* Distances within 3.5u, where squares vanish 2^-535; the mean of few within 18u more; 1u for this one's own rounding. */
+static bool near_quality(gen *g, const job *j, const et_som_quality *q)
+{
+    et_som_quality fast;
+
+    return gen_check(g, et_quality_of(&fast, j->weights, j->nov, j->net, j->cloud, j->n) == ET_OK, "fast") &&
+           gen_check(g, fabs(fast.qe - q->qe) <= 24 * ET_UNIT * q->qe + 0x1p-535, "qe %a, fast %a", q->qe, fast.qe) &&
+           gen_check(g, fabs(fast.min_error - q->min_error) <= 6 * ET_UNIT * q->min_error + 0x1p-535, "least %a, fast %a", q->min_error, fast.min_error) &&
+           gen_check(g, fabs(fast.max_error - q->max_error) <= 6 * ET_UNIT * q->max_error + 0x1p-535, "greatest %a, fast %a", q->max_error, fast.max_error);
+}
+
+verdict prop_exact_quality_of(gen *g)
+{
+    static job j, before;
+    et_som_quality q = {1, 2, 3, 4, 5}, again, want;
+    size_t bits = 0, start[2];
+
+    draw_job(g, &j);
+    before = j;
+    if (!gen_check(g, et_exact_quality_of(&q, j.weights, j.nov, j.net, j.cloud, j.n, &bits) == ET_OK && bits >= 128, "computed") ||
+        !gen_check(g, memcmp(&j, &before, sizeof j) == 0, "nothing else is written"))
+        return FAIL;
+    want = second_quality(&j);
+    if (!same_quality(g, &q, &want) || !near_quality(g, &j, &q))
+        return FAIL;
+    start[0] = 4 * bits;
+    start[1] = gen_between(g, 1, 70);
+    for (size_t k = 0; k < 2; k++)
+        if (!gen_check(g, et_exact_quality_of(&again, j.weights, j.nov, j.net, j.cloud, j.n, start + k) == ET_OK, "from other bits on") ||
+            !same_quality(g, &again, &q) || !gen_check(g, k == 1 || start[0] >= 4 * bits, "%zu bits", start[0]))
+            return FAIL;
+    return gen_check(g, et_exact_quality_of(&again, j.weights, j.nov, j.net, j.cloud, j.n, NULL) == ET_OK, "no bits") && same_quality(g, &again, &q) ? PASS
+                                                                                                                                                     : FAIL;
+}
+
+/* A mean in the middle between two doubles: distances m 2^-52 and, 2^k - 1 times, 1 or 0. */
+verdict prop_exact_quality_of_ties(gen *g)
+{
+    static et_vec3 cloud[8];
+    static const et_vec3 weights[4] = {{0, 0, 0}, {4096, 0, 0}, {0, 4096, 0}, {0, 0, 4096}};
+    const size_t n = (size_t)1 << gen_between(g, 1, 3), ones = gen_between(g, 1, n - 1);
+    const uint64_t m = 2 * gen_upto(g, UINT64_C(1) << 51) + 1;
+    const int scale = (int)gen_upto(g, 8);
+    et_som_quality q = {0, 0, 0, 0, 0};
+    size_t bits = 0;
+
+    for (size_t k = 0; k < n; k++)
+        cloud[k] = (et_vec3){0, 0, ldexp(k == 0 ? (double)m * 0x1p-52 : k <= ones ? 1 : 0, scale)};
+    /* ones + m/2^52 has an odd digit at 2^-52; doubles of its size have their last at 2^-52 times the greatest power of 2 in it. */
+    const uint64_t sum = ((uint64_t)ones << 52) + m;
+    uint64_t unit = 1;
+    while (sum / unit >> 53 > 0)
+        unit *= 2;
+    uint64_t digits = sum / unit;
+    const uint64_t rest = sum % unit;
+    digits += 2 * rest > unit || (2 * rest == unit && digits % 2 == 1);
+    const double expect = ldexp((double)digits * (double)unit, scale - 52) / (double)n;
+    gen_label(g, 2 * rest == unit ? "tie" : "no tie");
+    if (!gen_check(g, et_exact_quality_of(&q, weights, 4, (et_doublenet){2, 2}, cloud, n, &bits) == ET_OK, "computed"))
+        return FAIL;
+    return gen_check(g, q.qe == expect && bits < 4096, "%llu of %zu: mean %a, not %a", (unsigned long long)m, n, q.qe, expect) ? PASS : FAIL;
+}
+
+verdict prop_exact_quality_of_refuses(gen *g)
+{
+    static const double bad[] = {NAN, INFINITY, -INFINITY, 0x1.0000000000001p500, -0x1.0000000000001p500};
+    static job j;
+    et_som_quality q = {1, 2, 3, 4, 5};
+    const uint64_t what = gen_upto(g, 4);
+    size_t bits = 7;
+
+    draw_job(g, &j);
+    if (what == 0)
+        j.net.ny = gen_upto(g, 1);
+    else if (what == 1)
+        j.nov += gen_chance(g, 2) ? 1 : SIZE_MAX;
+    else if (what == 2)
+        j.n = 0;
+    else if (what == 3)
+        (&j.weights[0].x)[gen_upto(g, 3 * j.nov - 1)] = bad[gen_upto(g, 4)];
+    else
+        (&j.cloud[0].x)[gen_upto(g, 3 * j.n - 1)] = bad[gen_upto(g, 4)];
+    if (!gen_check(g, et_exact_quality_of(&q, j.weights, j.nov, j.net, j.cloud, j.n, &bits) == ET_EINVAL, "refused"))
+        return FAIL;
+    return gen_check(g, q.qe == 1 && q.te == 2 && q.min_error == 3 && q.max_error == 4 && q.steps == 5 && bits == 7, "quality as before") ? PASS : FAIL;
+}
+
+/* ---- the rows of the fast functions ---- */
+
+static et_vec3 *points_of(const row *r, size_t first, size_t n)
+{
+    et_vec3 *D = calloc(n + 1, sizeof *D);
+
+    for (size_t i = 0; D != NULL && i < 3 * n; i++)
+        (&D[0].x)[i] = row_real(r, first + i);
+    return D;
+}
+
+/* Rows: p q nu nv samples, interior knots in u and v of both views (u bottom, v bottom, u top, v top), points of both views; wanted: distance u v. */
+verdict true_seam_gap(const row *r)
+{
+    const size_t p = row_size(r, 0), q = row_size(r, 1), nu = row_size(r, 2), nv = row_size(r, 3);
+    et_shell s;
+    et_seam gap = {0, 0, 0};
+    size_t k = 5;
+    bool ok;
+
+    if (et_shell_new(&s, p, q, (et_doublenet){nu, nv}, 0) != ET_OK)
+        return FAIL;
+    for (size_t w = 0; w < 2; w++) {
+        for (size_t i = 0; i < nu + p + 1; i++)
+            s.view[w].u[i] = i <= p ? 0 : i >= nu ? 1 : row_real(r, k++);
+        for (size_t i = 0; i < nv + q + 1; i++)
+            s.view[w].v[i] = i <= q ? 0 : i >= nv ? 1 : row_real(r, k++);
+    }
+    for (size_t w = 0; w < 2; w++)
+        for (size_t i = 0; i < nu * nv; i++, k += 3)
+            s.view[w].points[i] = (et_vec3){row_real(r, k), row_real(r, k + 1), row_real(r, k + 2)};
+    ok = et_exact_seam_gap(&gap, &s, row_size(r, 4)) == ET_OK;
+    ok = ok && row_is(r, 0, gap.distance) && row_is(r, 1, gap.u) && row_is(r, 2, gap.v);
+    et_shell_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+/* Rows: nx ny, NOV weights, points; wanted: qe te least greatest. */
+verdict true_quality_of(const row *r)
+{
+    const et_doublenet net = {row_size(r, 0), row_size(r, 1)};
+    const size_t nov = et_doublenet_nov(net), n = (r->nargs - 2) / 3 - nov;
+    et_vec3 *w = points_of(r, 2, nov), *cloud = points_of(r, 2 + 3 * nov, n);
+    et_som_quality q;
+    bool ok = w != NULL && cloud != NULL && et_exact_quality_of(&q, w, nov, net, cloud, n, NULL) == ET_OK && q.steps == n;
+
+    ok = ok && row_is(r, 0, q.qe) && row_is(r, 1, q.te) && row_is(r, 2, q.min_error) && row_is(r, 3, q.max_error);
+    free(w);
+    free(cloud);
+    return ok ? PASS : FAIL;
+}
