@@ -6,6 +6,7 @@ ln x, sin x and cos x are irrational for rational x but 0 (and 1 for ln), and x^
 """
 from fractions import Fraction as F
 from functools import lru_cache
+from math import isqrt
 
 INF = float("inf")
 NAN = float("nan")
@@ -48,6 +49,9 @@ def ln2(w):
     return (18 * arctangent_of_inverse(26, g, 1) - 2 * arctangent_of_inverse(4801, g, 1) + 8 * arctangent_of_inverse(8749, g, 1)) >> 40
 
 
+LN2, PI = F(ln2(400), 2**400), F(pi(400), 2**400)     # within 2^-400
+
+
 def exp_of(x, e, w):
     """(v, e', q) for e^(x 2^-w) where x is off by at most e."""
     k = (x + (ln2(w) >> 1)) // ln2(w)
@@ -76,6 +80,12 @@ def log_of(x, w):
         n += 2
     # n/2 terms, each off by less than 4 (power by less than 3 as |t| < 1/4, the quotient by 1).
     return 2 * total + k * ln2(w), 8 * n + abs(k) + 8, -w
+
+
+def power_of(x, y, w):
+    """(v, e, q) for x^y of rationals, x > 0."""
+    v, e, q = log_of(x, w + 16 + max(0, y.numerator.bit_length() - y.denominator.bit_length()))
+    return exp_of(scaled(v * y * F(2) ** q, w), 2 + scaled(abs(y) * e * F(2) ** q, w), w)
 
 
 def turn_of(x, w):
@@ -147,7 +157,6 @@ def cos(x):
 
 def integer_root(a, m):
     """The 2^m-th root of a natural number if it is a natural number, else None."""
-    from math import isqrt
     for _ in range(m):
         r = isqrt(a)
         if r * r != a:
@@ -210,9 +219,4 @@ def pow(x, y):
             return sign * (INF if size > 0 else 0.0)
         if abs(size) < F(1, 2**70):
             return sign
-
-    def enclosure(w):
-        g = w + 16 + max(0, y.numerator.bit_length() - y.denominator.bit_length())
-        v, e, q = log_of(F(x), g)
-        return exp_of(scaled(v * y * F(2) ** q, w), 2 + scaled(abs(y) * e * F(2) ** q, w), w)
-    return sign * decide(enclosure)
+    return sign * decide(lambda w: power_of(F(x), y, w))

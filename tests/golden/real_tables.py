@@ -8,7 +8,7 @@ import os
 import sys
 from fractions import Fraction as F
 
-from elementary import double, exp_of, ln2, log_of, pi, sine_of
+from elementary import LN2, PI, double, exp_of, ln2, log_of, pi, sine_of
 from rational import show
 
 W = 300
@@ -42,9 +42,6 @@ def sine(j):
     """sin(j pi / 512)."""
     at = lambda i, start: F(sine_of((pi(W) * i) // 512, W, start)[0], 2**W)
     return F(1) if j == 256 else at(j, 1) if j <= 128 else at(256 - j, 0)
-
-
-LN2, PI = F(ln2(W), 2**W), F(pi(W), 2**W)
 
 
 def lines(what, name, rows, width):
