@@ -83,6 +83,10 @@ static void tell_refinement(FILE *f, const cli_reconstruction *r)
                 k == r->best ? " (taken)" : "", r->refined[k].before, r->refined[k].after,
                 r->refined[k].before > 0 ? 100 * (1 - r->refined[k].after / r->refined[k].before) : 0.0,
                 (unsigned long long)r->refined[k].evaluations, r->refined[k].steps, r->refined[k].seconds);
+    for (size_t k = 0; k < r->nrefined; k++)
+        if (r->refined[k].algorithm == CLI_OPTIMUM)
+            fprintf(f, "\nCertified: no closed surface with these knots and parameters has an error below %.12g; the optimum found is at most %.3g above that.\n",
+                    r->refined[k].optimum.lower, r->refined[k].optimum.gap);
     if (r->nrefined && r->pictures)
         fprintf(f, "\n![Convergence](convergence.png)\n");
     fprintf(f, "\n## The surface\n\nError %.9f over NOV, seam gap %.3g, corner error %.3g.\n\n", final->error.nov, final->seam_gap, final->error.corner);
