@@ -1,12 +1,20 @@
 #!/usr/bin/env python3
 """Golden rows of som: the training loop once more, in plain loops over all classes, with its own Mersenne twister in integers.
 
-Python's floats are IEEE doubles and its arithmetic is not contracted, so the rows hold bit for bit.  exp and log are those of the platform's C
-library, correctly rounded or not: a reader on another platform compares with these rows, not with a new run of this script.
+Python's floats are IEEE doubles and its arithmetic is not contracted, exp and log are correctly rounded (elementary.py): the rows hold bit for bit, and
+on any platform.
 
 Usage: som.py > golden/som.tsv
 """
 import math
+from functools import lru_cache
+
+import elementary
+from rational import Choices, show
+
+exp = lru_cache(None)(elementary.exp)
+
+import elementary
 
 MASK = 0xFFFFFFFF
 
@@ -72,19 +80,18 @@ def train(nx, ny, steps, alpha0, sigma0, seed, cloud):
         first, second = net[order[0]], net[order[1]]
         errors.append(math.sqrt(square(p, w[order[0]])))
         apart += abs(first[0] - second[0]) + abs(first[1] - second[1]) > 1 or abs(first[2] - second[2]) > 1
-        shrink = math.exp(-(t / (steps / math.log(radius)))) if radius > 1 else 1.0
+        shrink = elementary.exp(-(t / (steps / elementary.log(radius)))) if radius > 1 else 1.0
         alpha, sigma = alpha0 * shrink, radius * shrink
         for c, v in enumerate(net):
             dist2 = sum((a - b) ** 2 for a, b in zip(v, first))
             if dist2 < sigma * sigma and abs(v[2] - first[2]) != 2:
-                f = alpha * math.exp(-(dist2 / (2 * (sigma * sigma))))
+                f = alpha * elementary.exp(-(dist2 / (2 * (sigma * sigma))))
                 w[c] = [a + f * (b - a) for a, b in zip(w[c], p)]
     return apart / steps, min(errors), max(errors), w
 
 
 def row(function, kind, reason, args, want):
-    text = lambda x: x.hex() if isinstance(x, float) else str(x)
-    print("som_" + function, kind, reason, " ".join(map(text, args)), " ".join(map(text, want)), sep="\t")
+    print("som_" + function, kind, reason, " ".join(map(show, args)), " ".join(map(show, want)), sep="\t")
 
 
 def flat(points):
@@ -124,3 +131,15 @@ row("start", "bits", "beyond the generator's first state", (5, 220), flat(start(
 for reason, nx, ny, steps, alpha0, sigma0, seed, cloud in CASES:
     te, least, greatest, w = train(nx, ny, steps, alpha0, sigma0, seed, cloud)
     row("train", "bits", reason, [nx, ny, steps, float(alpha0), float(sigma0), seed] + flat(cloud), [te, least, greatest] + flat(w))
+c = Choices(43)
+for k in range(60):
+    nx, ny = c.between(2, 4), c.between(2, 4)
+    points = [tuple(c.short(0, 1, 32) for _ in range(3)) for _ in range(c.between(1, 6))]
+    why, scale = c.of((("random", 1.0), ("random", 1.0), ("extreme scale, offset", 0.0), ("extreme scale", 2.0**300), ("extreme scale", 2.0**-300)))
+    points = [tuple(x * scale if scale else 1e9 + x for x in p) for p in points]
+    args = [nx, ny, c.between(1, 25), c.of((.9, .5, 1.0, 2.0**-10)), c.of((0.0, 0.0, 1.0, 1.5, 3.0)), c.bits(32)]
+    te, least, greatest, w = train(*args, points)
+    row("train", "bits", why, args + flat(points), [te, least, greatest] + flat(w))
+for k in range(30):
+    seed, n = c.bits(32), c.between(1, 8)
+    row("start", "bits", "random", (seed, n), flat(start(Twister(seed), n)))

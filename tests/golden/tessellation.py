@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """golden/tessellation.tsv: volumes of closed meshes by exact rational arithmetic (prisms over z = 0, not the formula of the library)."""
-import random
 from fractions import Fraction
+
+from rational import Choices, nearest, show
 
 
 def volume(points, triangles):
@@ -13,8 +14,8 @@ def volume(points, triangles):
 
 
 def row(kind, reason, points, triangles):
-    args = [len(points), len(triangles)] + [float(x).hex() for p in points for x in p] + [k for t in triangles for k in t]
-    print("tessellation_volume", kind, reason, " ".join(map(str, args)), float(volume(points, triangles)).hex(), sep="\t")
+    args = [len(points), len(triangles)] + [show(float(x)) for p in points for x in p] + [k for t in triangles for k in t]
+    print("tessellation_volume", kind, reason, " ".join(map(str, args)), show(nearest(volume(points, triangles))), sep="\t")
 
 
 def box(o, s):
@@ -45,12 +46,24 @@ row("exact", "tetrahedron", [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], TETRA)
 row("exact", "tetrahedron_6", [(0, 0, 0), (6, 0, 0), (0, 6, 0), (0, 0, 6)], TETRA)
 row("exact", "octahedron", [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)], OCTA)
 row("exact", "no_triangles", [(1, 2, 3)], [])
-random.seed(3)
-for n in range(24):
-    points = [tuple(random.randint(-1000, 1000) for _ in range(3)) for _ in range(8)]
-    row("exact", "integer_hexahedron_%d" % n, points, box((0, 0, 0), (1, 1, 1))[1])
-for n in range(24):
-    points = [tuple(random.uniform(-1, 1) for _ in range(3)) for _ in range(8)]
-    triangles = box((0, 0, 0), (1, 1, 1))[1]
+c = Choices(3)
+HEX = box((0, 0, 0), (1, 1, 1))[1]
+for n in range(60):
+    points = [tuple(c.between(0, 2000) - 1000 for _ in range(3)) for _ in range(8)]
+    row("exact", "whole numbers", points, HEX)
+for n in range(40):
+    s = 2.0 ** (c.upto(500) - 250)
+    points = [tuple((c.between(0, 60) - 30) * s for _ in range(3)) for _ in range(8)]
+    row("exact", "extreme scale", points, HEX)
+for n in range(30):
+    points = [(x, y, 0) for x, y in ((c.upto(20), c.upto(20)) for _ in range(8))]
+    row("exact", "degenerate geometry, flat", points, HEX)
+    points = [points[k // 3] for k in range(8)]
+    row("exact", "degenerate geometry, coincident points", points, HEX)
+for n in range(40):
+    points = [tuple(c.between(0, 40) - 20 for _ in range(3)) for _ in range(4)]
+    row("exact", "whole numbers, tetrahedron", points, TETRA if n % 2 else turned(TETRA))
+for n in range(40):
+    points = [tuple(c.real(-1, 1) for _ in range(3)) for _ in range(8)]
     # 12 terms of size sum |a-o||b-o||c-o| <= 12 * 12^(3/2) < 512, (10 + 12) u each to first order: 2^9 * 2^5 * 2^-53
-    row("abs 0x1p-39", "real_hexahedron_%d" % n, points, triangles)
+    row("abs 0x1p-39", "random", points, HEX)
