@@ -274,8 +274,8 @@ def sheet(n, x, y):
 def fits(c):
     """(reason, net) that is solvable"""
     def data(n, how):
-        draw = {"random": lambda: F(c.real(-1, 1)), "whole": lambda: F(c.upto(16) - 8), "extreme scale, 1e100": lambda: F(1e100) * (c.upto(8) - 4),
-                "extreme scale, 1e-100": lambda: F(1e-100) * (c.upto(8) - 4), "extreme scale, offset": lambda: F(10**9) + F(c.upto(16), 16)}[how]
+        draw = {"random": lambda: F(c.real(-1, 1)), "whole": lambda: F(c.upto(16) - 8), "extreme scale, 1e100": lambda: F(1e100 * (c.upto(8) - 4)),
+                "extreme scale, 1e-100": lambda: F(1e-100 * (c.upto(8) - 4)), "extreme scale, offset": lambda: F(10**9) + F(c.upto(16), 16)}[how]
         return [[draw() for _ in range(3)] for _ in range(nov(n))]
     hows = ("random", "whole", "extreme scale, 1e100", "extreme scale, 1e-100", "extreme scale, offset")
     shapes = [("uniform", 1, 1, (3, 3), (3, 2)), ("uniform", 2, 1, (5, 3), (4, 2)), ("piegl", 1, 2, (5, 5), (2, 3)), ("piegl", 1, 1, (3, 5), (2, 2)),
