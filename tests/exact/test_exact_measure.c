@@ -787,6 +787,34 @@ static et_vec3 *points_of(const row *r, size_t first, size_t n)
     return D;
 }
 
+/* Rows: approach method knots algebra corners p q nx ny cx cy, data by class; wanted: nov, non, greatest, corner, of the control points as rounded. */
+verdict true_fit_measure(const row *r)
+{
+    const et_doublenet net = {row_size(r, 7), row_size(r, 8)};
+    const size_t nov = et_doublenet_nov(net);
+    et_vec3 *data = points_of(r, 11, nov);
+    et_fit_options o = et_fit_defaults();
+    et_fit_error e = {0, 0, 0, 0};
+    et_fit f;
+
+    o.approach = (et_fit_approach)row_size(r, 0);
+    o.method = (et_param_method)row_size(r, 1);
+    o.knots = (et_knotrule_kind)row_size(r, 2);
+    o.corners = (et_fit_corners)row_size(r, 4);
+    o.p = row_size(r, 5);
+    o.q = row_size(r, 6);
+    o.control = (et_doublenet){row_size(r, 9), row_size(r, 10)};
+    if (data == NULL || et_exact_fit_make(&f, data, nov, net, &o, NULL, NULL, NULL) != ET_OK) {
+        free(data);
+        return FAIL;
+    }
+    const bool ok = et_exact_fit_measure(&e, NULL, nov, &f, data, NULL) == ET_OK && row_is(r, 0, e.nov) && row_is(r, 1, e.non) && row_is(r, 2, e.greatest) &&
+                    row_is(r, 3, e.corner);
+    et_fit_free(&f);
+    free(data);
+    return ok ? PASS : FAIL;
+}
+
 /* Rows: p q nu nv samples, interior knots in u and v of both views (u bottom, v bottom, u top, v top), points of both views; wanted: distance u v. */
 verdict true_seam_gap(const row *r)
 {
