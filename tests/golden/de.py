@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """golden/de.tsv: rand/1/bin of the header, written anew on Python's floats.  python3 tests/golden/de.py > golden/de.tsv"""
-from search import SHARED, at_the_edge, head, rows
+from search import SHARED, at_the_edge, drawn, head, rows
 
 
 def other_than(s, taken):
@@ -43,4 +43,4 @@ CASES = SHARED + [
 
 if __name__ == '__main__':
     head('de.py')
-    rows('de_step', step, CASES)
+    rows('de_step', step, CASES + drawn(59, 80, F=(0.3, 0.5, -0.5, 0.9), CR=(0.0, 0.2, 0.8, 1.0), by_coordinate=(0, 1)))

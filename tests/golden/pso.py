@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """golden/pso.tsv: the swarm of the header, written anew on Python's floats.  python3 tests/golden/pso.py > golden/pso.tsv"""
-from search import SHARED, head, rows
+from search import SHARED, drawn, head, rows
 
 
 def prepare(s):
@@ -45,4 +45,4 @@ CASES = SHARED + [
 
 if __name__ == '__main__':
     head('pso.py')
-    rows('pso_step', step, CASES)
+    rows('pso_step', step, CASES + drawn(67, 80, K=(0.729, 1.0), c1=(2.05, 0.0), c2=(2.05, 0.0), immediate=(0, 1), absorb=(0, 1)))

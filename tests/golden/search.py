@@ -6,6 +6,9 @@ python3 tests/golden/search.py > golden/search.tsv
 """
 
 
+from rational import Choices, show
+
+
 class Rng:
     """mt19937 (Matsumoto and Nishimura 1998, seeding of 2002) on Python's integers; a draw is k / 2^32."""
 
@@ -84,10 +87,10 @@ class Search:
     def row(self, function, reason):
         o = self.o
         sizes = [str(o[k]) for k in ('seed', 'population', 'n', 'group', 'generations')]
-        args = sizes + [float(o[k]).hex() for k in ('spread', 'box')] + [str(o['tournament'])]
-        args += [float(o[k]).hex() for k in ('crossover', 'swap', 'mutation', 'F', 'CR')] + [str(o['by_coordinate'])]
-        args += [float(o[k]).hex() for k in ('K', 'c1', 'c2', 'vmax')] + [str(o['immediate']), str(o['absorb'])] + [float(v).hex() for v in self.x0]
-        want = [str(self.rng.draws), str(self.evaluations)] + [float(v).hex() for v in [self.best_value] + self.best + self.value]
+        args = sizes + [show(float(o[k])) for k in ('spread', 'box')] + [str(o['tournament'])]
+        args += [show(float(o[k])) for k in ('crossover', 'swap', 'mutation', 'F', 'CR')] + [str(o['by_coordinate'])]
+        args += [show(float(o[k])) for k in ('K', 'c1', 'c2', 'vmax')] + [str(o['immediate']), str(o['absorb'])] + [show(float(v)) for v in self.x0]
+        want = [str(self.rng.draws), str(self.evaluations)] + [show(float(v)) for v in [self.best_value] + self.best + self.value]
         print('\t'.join((function, 'bits', reason, ' '.join(args), ' '.join(want))))
 
 
@@ -136,15 +139,33 @@ SHARED = [
 ]
 
 
+def drawn(seed, count, **ranges):
+    """Options of small searches, none of them at its default; ranges: name = values to choose from."""
+    c, cases = Choices(seed), []
+    for _ in range(count):
+        group = c.between(1, 3)
+        scale = c.of((1.0, 1.0, 1.0, 5e-6, 1e6, 2.0**-300, 1e100))
+        why = "random" if scale == 1.0 else "extreme scale"
+        o = dict(seed=c.bits(32), population=c.between(4, 9), group=group, n=group * c.between(1, 3), generations=c.between(1, 9),
+                 spread=scale * c.short(0, 1, 8), box=c.of((0.0, scale, scale / 4)), vmax=c.of((0.0, scale / 8, scale)))
+        o['x0'] = [scale * c.short(-1, 1, 16) for _ in range(o['n'])]
+        if c.upto(4) == 0:
+            o['spread'], why = 0.0, "coincident points"
+        for name, values in ranges.items():
+            o[name] = c.of(values)
+        cases.append((why, o))
+    return cases
+
+
 def clamp_row(reason, box, pairs):
     want = [x if box <= 0 else min(max(x, c - box), c + box) for c, x in pairs]
-    args = [float(box).hex()] + [float(v).hex() for p in pairs for v in p]
-    print('\t'.join(('search_clamp', 'exact', reason, ' '.join(args), ' '.join(float(v).hex() for v in want))))
+    args = [show(float(box))] + [show(float(v)) for p in pairs for v in p]
+    print('\t'.join(('search_clamp', 'exact', reason, ' '.join(args), ' '.join(show(float(v)) for v in want))))
 
 
 def main():
     head('search.py')
-    print('\t'.join(('search_defaults', 'exact', 'table_6.1', '', ' '.join(['40', '1', '4'] + [v.hex() for v in (
+    print('\t'.join(('search_defaults', 'exact', 'table_6.1', '', ' '.join(['40', '1', '4'] + [show(v) for v in (
         5e-6, 5e-6, 0.7, 0.5, 0.01, 0.3, 0.8, 0.729, 2.05, 2.05, 5e-6)]))))
     up, down = 1.0 + 2.0**-52, 1.0 - 2.0**-53
     clamp_row('inside', 0.5, [(0.0, 0.25), (1.0, 0.75), (-1.0, -1.25)])
@@ -155,7 +176,15 @@ def main():
     clamp_row('no_box', 0.0, [(0.0, 1e300), (1.0, -1e300)])
     clamp_row('negative_box', -1.0, [(0.0, 1e300), (1.0, 0.0)])
     clamp_row('tiny_box', 2.0**-1074, [(0.0, 2.0**-1073), (0.0, -1.0), (1.0, 2.0)])
-    rows('search_start', None, [(reason, dict(options, generations=0)) for reason, options in SHARED])
+    rows('search_start', None, [(reason, dict(options, generations=0)) for reason, options in SHARED + drawn(47, 60)])
+    c = Choices(53)
+    for k in range(150):
+        box = c.of((0.5, 0.1, 5e-6, 2.0**-1074, 1e300, 0.0, -0.5, 2.0**-53))
+        pairs = []
+        for _ in range(c.between(1, 5)):
+            x = c.of((c.real(-1, 1), 0.0, 1e16, -1e-300))
+            pairs.append((x, c.of((x, x + box, x - box, (x + box) * (1 + 2.0**-52), x - 2 * box, c.real(-2, 2), 1e308))))
+        clamp_row('no_box' if box <= 0 else 'extreme scale' if not 1e-9 < box < 1e9 else 'end of domain and random', box, pairs)
 
 
 if __name__ == '__main__':
