@@ -3,12 +3,14 @@
 from decimal import Decimal, getcontext
 from fractions import Fraction as F
 
+from rational import Choices, bound_of, nearest, show
+
 getcontext().prec = 60
 U = F(1, 2**53)
 
 
 def hexf(x):
-    return float(x).hex()
+    return show(nearest(F(x)))
 
 
 def mul(A, B):
@@ -71,12 +73,7 @@ def bound(A, B, inverse, method):
 
 
 def power(x):
-    e = 0
-    while F(2) ** e > x:
-        e -= 1
-    while F(2) ** e < x:
-        e += 1
-    return "abs " + hexf(F(2) ** e)
+    return "abs " + bound_of(x)
 
 
 def flat(A):
@@ -157,6 +154,40 @@ def main():
     qr("pythagorean", [[3, 1], [4, 2]], [[1], [0]])
     qr("line", line, [[1], [3], [4], [4], [7]])
     qr("negative", [[-2, 1, 0], [1, -3, 1], [0, 1, -4], [2, 2, 2]], [[1, 0], [0, 1], [2, 2], [-1, 3]])
+    c = Choices(73)
+    whole = lambda m, n, most=4: [[c.between(0, 2 * most) - most for _ in range(n)] for _ in range(m)]
+    for k in range(40):
+        n = c.between(1, 4)
+        m = n + c.upto(3)
+        A, B = whole(m, n), whole(m, c.between(1, 2), 9)
+        why = "random"
+        if k % 4 == 1 and n > 1:
+            A, why = [r[:-1] + [r[0] * 2] for r in A], "singular, proportional columns"
+        elif k % 4 == 2:
+            s = 2.0 ** c.of((300, -300, 100))
+            A, why = [[x * s for x in r] for r in A], "extreme scale"
+        elif k % 4 == 3:
+            A, why = [A[0]] * (m - 1) + [A[-1]], "repeated sites"
+        if not any(x for r in A for x in r):
+            A[0][0] = 1
+        if echelon(A)[1] and (why != "extreme scale" or len(echelon(A)[1]) == n):
+            lsq(why, A, B)
+    for k in range(30):
+        n = c.between(2, 6)
+        w = c.between(1, min(n, 3))
+        start = sorted(c.upto(n - w) for _ in range(n + c.upto(3)))
+        rows = whole(len(start), w)
+        if k % 3 == 0:
+            start = [0] * (len(start) - 1) + [n - w]
+        A = [[0] * s + r + [0] * (n - w - s) for s, r in zip(start, rows)]
+        if any(x for r in A for x in r):
+            full = len(echelon(A)[1]) == n
+            band("random" if full else "Schoenberg-Whitney violated" if k % 3 == 0 else "singular", start, rows, n, whole(len(start), 1, 9))
+    for k in range(40):
+        n = c.between(1, 4)
+        A = whole(n + c.upto(3), n)
+        if len(echelon(A)[1]) == n:
+            qr("random", A, whole(len(A), c.between(1, 2)))
 
 
 main()

@@ -10,6 +10,8 @@ from decimal import Decimal, getcontext
 from fractions import Fraction as Q
 from math import isqrt
 
+from rational import Choices, show
+
 getcontext().prec = 60
 
 
@@ -77,13 +79,13 @@ class Case:
         args = [str(k) for k in (self.p, self.q, self.nu, self.nv, self.nx, self.ny)] + [real(t) for t in self.u + self.v + self.s + self.r] + wide
         if exact:
             assert all(Q(float(v)) == v for v in values)
-        kind = 'exact' if exact else 'abs ' + bound.hex()
-        print('\t'.join(('objective_eval', kind, reason, ' '.join(args), ' '.join(float(v).hex() for v in values))))
+        kind = 'exact' if exact else 'abs ' + show(bound)
+        print('\t'.join(('objective_eval', kind, reason, ' '.join(args), ' '.join(show(float(v)) for v in values))))
 
 
 def real(x):
     assert Q(float(x)) == x
-    return float(x).hex()
+    return show(float(x))
 
 
 def pseudo(k, m):
@@ -115,6 +117,19 @@ def general_row(reason, case, m):
     z = [list(P) for P in y]
     z[1][2] -= Q(3, 8)
     case.row(reason, data, [x, y, z, x])
+
+
+def drawn_row(c, reason, case):
+    """Short numbers; candidates that differ in one control point, coincident ones, and far away ones."""
+    scale, offset = c.of(((1, 0), (1, 0), (Q(1, 2**100), 0), (2**100, 0), (1, 10**9)))
+    draw = lambda: [offset + scale * Q(c.upto(64) - 32, 16) for _ in range(3)]
+    data = [draw() for _ in nodes(case.nx, case.ny)]
+    x = [draw() for _ in range(case.classes())]
+    y = [list(P) for P in x]
+    y[c.upto(len(y) - 1)] = draw()
+    z = [list(y[0]) for _ in y]
+    why = reason if (scale, offset) == (1, 0) else 'extreme scale, ' + reason
+    case.row(why + ', coincident points', data, [x, y, z])
 
 
 def clamped(p, inner):
@@ -153,6 +168,15 @@ def main():
     general_row('knots_one_ulp_apart', Case(3, 3, clamped(3, [0.5, 0.5 + 2.0**-53]), clamped(3, [0.25]), even(7), even(6)), 17)
     general_row('more_control_than_data', Case(3, 3, clamped(3, [0.2, 0.4, 0.6, 0.8]), clamped(3, [0.5, 0.75]), even(3), even(4)), 18)
     general_row('one_row_each', Case(3, 3, clamped(3, [0.5]), clamped(3, [0.5]), [0, 1], [0, 1]), 19)
+    c = Choices(71)
+    for k in range(60):
+        p, q = c.between(1, 3), c.between(1, 3)
+        u, v = (clamped(d, sorted(c.short(0.125, 0.875, 6) for _ in range(c.upto(2)))) for d in (p, q))
+        s, r = ([0] + sorted(c.short(0, 1, 16) for _ in range(c.between(0, 3))) + [1] for _ in range(2))
+        case = Case(p, q, u, v, s, r)
+        if case.classes() * 3 + len(nodes(case.nx, case.ny)) * 3 < 160:
+            why = 'repeated sites' if len(set(s)) < len(s) or len(set(r)) < len(r) else 'repeated knots' if len(set(u[p:-p])) < len(u[p:-p]) else 'random'
+            drawn_row(c, why, case)
 
 
 if __name__ == '__main__':
