@@ -137,7 +137,12 @@ within: $(B)/accuracy
 $(B)/accuracy: $(B)/tests/bench/accuracy.c.o $(B)/libetalon.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 bits:
+	@sh tests/deps.sh $(PACKAGES_BITS) || echo "what needs them fails below"
 	@sh tests/bits.sh $(BUILD)
+left-out:
+	@printf '%s: in C++, or uses what is\n' $(sort $(patsubst src/cli/%,src/cli,$(LEFT_OUT)))
+$(B)/replay: $(B)/tests/bits/replay.c.o $(B)/libetalon.a
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 fuzz:
 	@$(MAKE) P=fuzz $(BUILD)/fuzz/fuzzer
 	@sh fuzz/fuzz.sh $(BUILD)/fuzz '$(F)' $(T)
@@ -176,11 +181,12 @@ $(B)/tests/bench/peer_som_plain.c.o $(B)/tests/bench/peer_dense.c.o: FLAGS_nativ
 # Debian's packages; with root (or sudo) they are installed, else named.
 PACKAGES      := gcc g++ liblapacke-dev libceres-dev libgoogle-glog-dev libeigen3-dev libjansson-dev gnuplot-nox libflint-arb-dev libflint-dev libmpfr-dev libgmp-dev
 PACKAGES_TEST := libgsl-dev libdsdp-dev clang libclang-rt-14-dev valgrind gcovr python3 libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh
+PACKAGES_BITS := libblas3 liblapack3 libopenblas0-pthread libatlas3-base qemu-user-static gcc-aarch64-linux-gnu gcc-s390x-linux-gnu gcc-i686-linux-gnu
 PACKAGES_BENCH := libgsl-dev libsisl-dev libocct-modeling-algorithms-dev libpagmo-dev libboost-serialization-dev libtbb-dev python3-scipy r-base-core r-cran-kohonen
 deps:
 	@sh tests/deps.sh $(PACKAGES)
 deps-test:
-	@sh tests/deps.sh $(PACKAGES) $(PACKAGES_TEST)
+	@sh tests/deps.sh $(PACKAGES) $(PACKAGES_TEST) $(PACKAGES_BITS)
 demo: deps
 	@$(MAKE) -s $(J) all
 	@mkdir -p $(BUILD)/demo
