@@ -120,5 +120,35 @@ for k in range(30):
         state = (state * 6364136223846793005 + 1442695040888963407) % 2 ** 64
         xs.append(bits((state >> 1) % (0x7FF << 52)) if k % 2 else (state >> 11) / 2 ** 53)
     write("drawn", *xs)
+def next_bits():
+    global state
+    state = (state * 6364136223846793005 + 1442695040888963407) % 2 ** 64
+    return state >> 1
+
+
+def any_double(kind):
+    """A finite double: of any exponent, subnormal, a short one, an integer."""
+    k = next_bits()
+    sign = -1.0 if next_bits() % 2 else 1.0
+    if kind == 0:
+        return sign * bits(k % (0x7FF << 52))
+    if kind == 1:
+        return sign * bits(k % (1 << 52))
+    if kind == 2:
+        return sign * (k % 10 ** (1 + k % 7)) / 10.0 ** (k % 5)
+    return sign * float(k % 2 ** (k % 60 + 1))
+
+
+KINDS = ("extreme scale", "extreme scale, subnormal", "short", "whole")
+for k in range(240):
+    write(KINDS[k % 4], *(any_double(k % 4) for _ in range(3)))
+for k in range(120):
+    read(KINDS[k % 4] + ", shortest digits", *(shortest(any_double(k % 4)) for _ in range(3)))
+for k in range(120):
+    read(KINDS[k % 4] + ", 25 digits", *("%.24e" % any_double(k % 4) for _ in range(3)))
+for k in range(60):
+    x = abs(any_double(2 if k % 2 else 3)) + 1.0
+    if x < 2.0 ** 52:
+        read("tie of two doubles, just above, just below", *middle(x))
 for k, name in enumerate(("xyz", "ply-ascii", "ply", "ply-big", "null")):
     print("cloud_name", "exact", "name" if k < 4 else "past the last", k, name, sep="\t")

@@ -6,6 +6,8 @@ Usage: primitive.py > golden/primitive.tsv
 from decimal import Decimal as D, ROUND_FLOOR, getcontext
 from fractions import Fraction
 
+from rational import show
+
 getcontext().prec = 60
 PI = D("3.14159265358979323846264338327950288419716939937510582097494")
 
@@ -110,7 +112,7 @@ def row(function, kind, reason, args, want):
 def samples(kind, sizes, reason, at):
     points = cloud(kind, *(sizes if any(sizes) else SOURCE[kind]))
     for i in at(len(points)):
-        row("make", "exact", reason, (kind,) + sizes + (i,), [x.hex() for x in points[i]])
+        row("make", "exact", reason, (kind,) + sizes + (i,), [show(x) for x in points[i]])
 
 
 print("# function\tclass\treason\tkind a b, index of a point\twanted")
@@ -134,3 +136,15 @@ for name in COUNTS:
 for name, sizes in (("cube", (2, 0)), ("cube", (3, 0)), ("cube", (8, 0)), ("sphere", (1, 3)), ("sphere", (6, 7)), ("spindle", (4, 3)),
                     ("spindle", (5, 7)), ("spindle", (13, 5)), ("oiltank", (2, 3)), ("oiltank", (3, 7)), ("oiltank", (13, 5))):
     samples(name, sizes, "other sizes", lambda n: range(n) if n < 9 else sorted({1, n // 4, n // 2, 2 * n // 3, n - 2}))
+for n in range(2, 16):
+    row("count", "exact", "size", ("cube", n, 0), (n ** 3 - max(n - 2, 0) ** 3,))
+    samples("cube", (n, 0), "size", lambda m: sorted({0, 1, m // 5, m // 3, m // 2, 3 * m // 4, m - 1}))
+for a, b in ((1, 3), (1, 4), (2, 3), (2, 5), (3, 4), (3, 3), (4, 6), (5, 5), (7, 9), (8, 4), (9, 12), (11, 3)):
+    row("count", "exact", "size", ("sphere", a, b), (a * b + 2,))
+    samples("sphere", (a, b), "size", lambda m: sorted({0, 1, m // 5, m // 3, m // 2, 3 * m // 4, m - 2, m - 1}))
+    if a >= 4:
+        row("count", "exact", "size", ("spindle", a, b), (a * b + 2,))
+        samples("spindle", (a, b), "size", lambda m: sorted({0, 1, m // 5, m // 3, m // 2, 3 * m // 4, m - 1}))
+    if a >= 2:
+        row("count", "exact", "size", ("oiltank", a, b), (a * b + 2,))
+        samples("oiltank", (a, b), "size", lambda m: sorted({0, 1, m // 5, m // 3, m // 2, 3 * m // 4, m - 1}))
