@@ -523,7 +523,7 @@ verdict prop_exact_knotrule_make(gen *g)
         const double bound = u_of * ET_UNIT * expect + (kind == ET_KNOTRULE_UNIFORM ? 0 : 0x1p-1072);
         if (!gen_check(g, same(u + i, &expect, 1), "knot %zu is %a, not %a", i, u[i], expect) ||
             !gen_check(g, fabs(v[i] - u[i]) <= bound, "knot %zu is %a, fast %a", i, u[i], v[i]) ||
-            !gen_check(g, i == 0 || u[i - 1] <= u[i], "knots %zu: %a, %a", i, u[i - 1], u[i]))
+            !gen_check(g, i == 0 || u[i - 1] <= u[i], "knots %zu: %a, %a", i, u[i > 0 ? i - 1 : 0], u[i]))
             return FAIL;
     }
     gen_label(g, et_knotrule_name(kind));
