@@ -1,5 +1,8 @@
-#include "exact/exact_sums_parts.h"
+#include "exact/exact_radical_parts.h"
 #include <math.h>
+
+/* A grid is computed by so many rows at a time: whole numbers of them all are kept. */
+enum { GRID_ROWS = 64 };
 
 /* The control points that two directions' basis functions meet. */
 static void window(exact_net *net, const et_surface *s, const exact_line *u, const exact_line *v)
@@ -148,50 +151,27 @@ static int finite(const double *x, size_t n)
     return 1;
 }
 
-/* One line of the grid: the sums of all columns, then each point from four of them or so. */
-static void grid_line(et_vec3 *S, fmpz *T, const et_surface *s, const exact_net *net, double a, const exact_line *b, size_t nb)
-{
-    exact_line u;
-    fmpz *sum = T + EXACT_COMPONENTS * s->nv;
-    fmpq *C = _fmpq_vec_init(3);
-    exact_line_init(&u, s->u, s->nu, s->p, a, 0);
-    exact_contract(T, s->nv, u.row, net->H + EXACT_COMPONENTS * u.first * s->nv, s->nv);
-    for (size_t j = 0; j < nb; j++) {
-        exact_contract(sum, 1, b[j].row, T + EXACT_COMPONENTS * b[j].first, 1);
-        exact_project(C, sum, net->e);
-        S[j] = exact_round_point(C);
-    }
-    _fmpq_vec_clear(C, 3);
-    exact_line_clear(&u);
-}
-
 et_status et_exact_surface_grid(et_vec3 *S, const et_surface *s, const double *a, size_t na, const double *b, size_t nb)
 {
-    exact_net net;
+    slong e;
     size_t n;
     if (!et_surface_valid(s) || !finite(a, na) || !finite(b, nb)) {
         return ET_EINVAL;
     }
-    if (!exact_fits(&n, s->nu, s->nv) || !exact_fits(&n, nb, sizeof(exact_line))) {
+    if (!exact_fits(&n, s->nu, s->nv) || !exact_fits(&n, nb, GRID_ROWS)) {
         return ET_ENOMEM;
     }
-    if (na == 0 || nb == 0) {
-        return ET_OK;
+    fmpq *C = _fmpq_vec_init(3);
+    for (size_t from = 0; from < na && nb > 0; from += GRID_ROWS) {
+        size_t rows = na - from < GRID_ROWS ? na - from : GRID_ROWS;
+        fmpz *G = _fmpz_vec_init((slong)(EXACT_COMPONENTS * rows * nb));
+        exact_grid(G, &e, s, a + from, rows, b, nb);
+        for (size_t k = 0; k < rows * nb; k++) {
+            exact_project(C, G + EXACT_COMPONENTS * k, e);
+            S[from * nb + k] = exact_round_point(C);
+        }
+        _fmpz_vec_clear(G, (slong)(EXACT_COMPONENTS * rows * nb));
     }
-    exact_line *v = flint_malloc(nb * sizeof *v);
-    for (size_t j = 0; j < nb; j++) {
-        exact_line_init(v + j, s->v, s->nv, s->q, b[j], 0);
-    }
-    exact_net_init(&net, s->points, s->weights, s->nu, s->nv, s->nv);
-    fmpz *T = _fmpz_vec_init((slong)(EXACT_COMPONENTS * (s->nv + 1)));
-    for (size_t i = 0; i < na; i++) {
-        grid_line(S + i * nb, T, s, &net, a[i], v, nb);
-    }
-    _fmpz_vec_clear(T, (slong)(EXACT_COMPONENTS * (s->nv + 1)));
-    exact_net_clear(&net);
-    for (size_t j = 0; j < nb; j++) {
-        exact_line_clear(v + j);
-    }
-    flint_free(v);
+    _fmpq_vec_clear(C, 3);
     return ET_OK;
 }

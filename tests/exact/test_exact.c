@@ -52,8 +52,8 @@ static double settled(mpfr_t y, int t)
 
 /* ---- rounding ---- */
 
-/* Two neighbouring doubles, from 0 to beyond the greatest, their middle and a bit that is small beside their distance; *even is the one of them that a
- * tie goes to. */
+/* Two neighbouring doubles, from 0 to beyond the greatest, their middle and a bit that is small beside their distance; *even is the one of them that
+ * a tie goes to. */
 typedef struct { fmpq_t lo, hi, middle, bit; double x, y, even; } gap;
 
 static void gap_init(gap *s, gen *g)
@@ -155,8 +155,8 @@ static bool ball_rounds(gen *g, const fmpq_t mid, slong e, double want, const ch
     if (isnan(want)) {
         return gen_check(g, !plus && !minus && x == 4711.0 && y == 4711.0, "a ball %s is rounded to %a, %a", what, x, y);
     }
-    return gen_check(g, plus == 1 && minus == 1 && same(x, want) && same(y, want == 0.0 ? 0.0 : -want), "a ball %s: %d %a, %d %a for %a", what, plus, x,
-                     minus, y, want);
+    return gen_check(g, plus == 1 && minus == 1 && same(x, want) && same(y, want == 0.0 ? 0.0 : -want), "a ball %s: %d %a, %d %a for %a", what, plus,
+                     x, minus, y, want);
 }
 
 /* A ball is rounded where all of it rounds to one double, its ends included, and not across a middle. */
@@ -329,8 +329,10 @@ verdict prop_exact_vec3_distance(gen *g)
         b = (et_vec3){nextafter(a.x, b.x), gen_upto(g, 1) ? a.y : nextafter(a.y, b.y), a.z};
     }
     double d = et_exact_vec3_distance(a, b), want = distance_by_mpfr(a, b), fast = et_vec3_distance(a, b);
-    bool ok = gen_check(g, same(d, want), "%a, by MPFR %a", d, want) && gen_check(g, same(d, et_exact_vec3_distance(b, a)), "from b to a another distance");
-    /* 3.5u to first order, and the exact one is rounded: half an ulp, u.  Differences beyond 2^500 have squares that overflow, below 2^-500 underflow. */
+    bool ok =
+        gen_check(g, same(d, want), "%a, by MPFR %a", d, want) && gen_check(g, same(d, et_exact_vec3_distance(b, a)), "from b to a another distance");
+    /* 3.5u to first order, and the exact one is rounded: half an ulp, u.  Differences beyond 2^500 have squares that overflow, below 2^-500
+     * underflow. */
     if (d > 0x1p-450 && d < 0x1p500) {
         ok = ok && gen_check(g, fabs(fast - d) <= 4.5 * ET_UNIT * (1.0 + 0x1p-40) * d, "et_vec3_distance gives %a for %a", fast, d);
         gen_label(g, "in range");
@@ -419,7 +421,8 @@ verdict prop_exact_frame_to_unit(gen *g)
         ok = ok && gen_check(g, same(got, want), "(%a - %a) / %a: %a, by MPFR %a", x, o, s, got, want);
         /* 2u + u^2, and the exact one is rounded. */
         bool bounded = fabs(got) > 0x1p-1000 && fabs(got) < 0x1p1000 && fabs(x) < 0x1p1000 && fabs(o) < 0x1p1000;
-        ok = ok && (!bounded || gen_check(g, fabs(fast - got) <= 3.0 * ET_UNIT * (1.0 + 0x1p-40) * fabs(got), "the fast one gives %a for %a", fast, got));
+        ok = ok &&
+             (!bounded || gen_check(g, fabs(fast - got) <= 3.0 * ET_UNIT * (1.0 + 0x1p-40) * fabs(got), "the fast one gives %a for %a", fast, got));
     }
     memcpy(Q, P, sizeof P);
     et_exact_frame_to_unit(Q, n, &none);
