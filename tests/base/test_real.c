@@ -1,8 +1,7 @@
-/* base/real: sums against exact integers and against the order in the header; elementary functions against identities and golden rows. */
+/* base/real: sums against exact integers and against the order in the header; golden rows.  The elementary functions: test_real_rounding.c. */
 #include "etalon/base/real.h"
 #include "gen.h"
 #include "golden.h"
-#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
@@ -101,63 +100,6 @@ verdict prop_real_sum_order(gen *g)
     }
     double a = et_real_sum(x, n), b = sum_again(x, 0, n);
     return gen_check(g, same(a, b), "n = %zu: %a, in the header's order %a", n, a, b) ? PASS : FAIL;
-}
-
-/* The library's bound, at most one ulp = 2u relative, is what these identities rest on. */
-verdict prop_real_exp(gen *g)
-{
-    double x = gen_real(g, 0.0, 700.0);
-    double a = et_real_exp(x), b = et_real_exp(-x);
-    bool ok = gen_check(g, a >= 1.0 && b <= 1.0 && b > 0.0, "exp(%a) = %a, exp(-x) = %a", x, a, b);
-    ok = ok && gen_check(g, fabs(a * b - 1.0) <= 5.01 * ET_UNIT, "exp(x) exp(-x) - 1 = %g at %a", a * b - 1.0, x);
-    double h = et_real_exp(0.5 * x);
-    ok = ok && gen_check(g, fabs(h * h - a) <= 7.01 * ET_UNIT * a, "exp(x/2)^2 and exp(x) differ at %a", x);
-    ok = ok && gen_check(g, et_real_exp(0.0) == 1.0, "exp(0) is not 1");
-    return ok ? PASS : FAIL;
-}
-
-/* ln 2^k x = k ln 2 + ln x; the terms' errors are relative to each. */
-verdict prop_real_log(gen *g)
-{
-    double x = gen_real(g, 1.0, 2.0), k = (double)gen_upto(g, 1000);
-    double a = et_real_log(ldexp(x, (int)k)), b = et_real_log(x), l = et_real_log(2.0);
-    /* 2u each for a, b, l; one for the product; one for the sum. */
-    double bound = 6.01 * ET_UNIT * (fabs(a) + fabs(b) + k * l);
-    bool ok = gen_check(g, fabs(a - (k * l + b)) <= bound, "ln(2^%g %a) = %a", k, x, a);
-    ok = ok && gen_check(g, et_real_log(1.0) == 0.0 && et_real_log(0.0) == -HUGE_VAL && isnan(et_real_log(-1.0)), "ln at 1, 0, -1");
-    ok = ok && gen_check(g, fabs(et_real_log(et_real_exp(k)) - k) <= 2.01 * ET_UNIT * (1.0 + k) || k > 700.0, "ln exp %g", k);
-    return ok ? PASS : FAIL;
-}
-
-verdict prop_real_pow(gen *g)
-{
-    double x = gen_real(g, 0x1p-4, 16.0);
-    bool ok = gen_check(g, fabs(et_real_pow(x, 2.0) - x * x) <= 3.01 * ET_UNIT * x * x, "%a ^ 2", x);
-    ok = ok && gen_check(g, fabs(et_real_pow(x, 3.0) - x * x * x) <= 4.01 * ET_UNIT * x * x * x, "%a ^ 3", x);
-    ok = ok && gen_check(g, fabs(et_real_pow(x, 0.5) - sqrt(x)) <= 3.01 * ET_UNIT * sqrt(x), "%a ^ 1/2", x);
-    ok = ok && gen_check(g, fabs(et_real_pow(x, -1.0) - 1.0 / x) <= 3.01 * ET_UNIT / x, "%a ^ -1", x);
-    ok = ok && gen_check(g, et_real_pow(x, 0.0) == 1.0 && et_real_pow(1.0, x) == 1.0 && et_real_pow(0.0, x) == 0.0, "0 and 1 with %a", x);
-    return ok ? PASS : FAIL;
-}
-
-/* s^2 + c^2: 5u each relative, together 1, and one rounding. */
-verdict prop_real_sin(gen *g)
-{
-    double x = gen_real(g, 0.0, 1000.0), s = et_real_sin(x), c = et_real_cos(x);
-    bool ok = gen_check(g, fabs(s * s + c * c - 1.0) <= 6.01 * ET_UNIT, "sin^2 + cos^2 at %a", x);
-    ok = ok && gen_check(g, et_real_sin(-x) == -s && et_real_sin(0.0) == 0.0, "sin is odd, at %a", x);
-    /* sin 2x = 2 sin x cos x: 2u, 2u, one product; the left side 2u. */
-    ok = ok && gen_check(g, fabs(et_real_sin(2.0 * x) - 2.0 * s * c) <= 7.01 * ET_UNIT * fabs(2.0 * s * c) + DBL_MIN, "sin 2x at %a", x);
-    return ok ? PASS : FAIL;
-}
-
-/* cos 2x = c^2 - s^2, each within 5u, the difference and the left side within 3u of at most 1. */
-verdict prop_real_cos(gen *g)
-{
-    double x = gen_real(g, 0.0, 1000.0), s = et_real_sin(x), c = et_real_cos(x);
-    bool ok = gen_check(g, fabs(et_real_cos(2.0 * x) - (c * c - s * s)) <= 8.01 * ET_UNIT, "cos 2x at %a", x);
-    ok = ok && gen_check(g, et_real_cos(-x) == c && et_real_cos(0.0) == 1.0, "cos is even, at %a", x);
-    return ok ? PASS : FAIL;
 }
 
 verdict gold_real_sum(const row *r)
