@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""golden/linalg.tsv: least squares of integer matrices by rational arithmetic, R by Gram and Schmidt to 60 decimals."""
+"""golden/linalg.tsv: least squares of integer matrices by rational arithmetic, R by Gram and Schmidt in rationals."""
 from decimal import Decimal, getcontext
 from fractions import Fraction as F
 
-from rational import Choices, bound_of, nearest, show
+from rational import Choices, bound_of, nearest, root, show
 
 getcontext().prec = 60
 U = F(1, 2**53)
@@ -105,15 +105,18 @@ def band(reason, start, rows, n, B):
 
 def qr(reason, A, B):
     m, n, k = len(A), len(A[0]), len(B[0])
-    V = [[Decimal(x) for x in c] for c in transpose(A)]
-    R = [[Decimal(0)] * n for _ in range(n)]
-    for j in range(n):
-        for i in range(j):
-            R[i][j] = sum(a * b for a, b in zip(V[i], V[j]))
-            V[j] = [b - R[i][j] * a for a, b in zip(V[i], V[j])]
-        R[j][j] = sum(x * x for x in V[j]).sqrt()
-        V[j] = [x / R[j][j] for x in V[j]]
-    C = [[sum(a * Decimal(b) for a, b in zip(v, c)) for c in transpose(B)] for v in V]
+    # Gram and Schmidt without roots: V_i orthogonal, R_ij = V_i'a_j / |V_i|.
+    V = [[F(x) for x in c] for c in transpose(A)]
+    over = lambda x, d: (1 if x > 0 else -1) * root(x * x / d)[0]
+    R, C = [[F(0)] * n for _ in range(n)], []
+    for i in range(n):
+        d = sum(x * x for x in V[i])
+        for j in range(i, n):
+            f = sum(x * y for x, y in zip(V[i], V[j]))
+            R[i][j] = over(f, d)
+            if j > i:
+                V[j] = [y - f / d * x for x, y in zip(V[i], V[j])]
+        C.append([over(sum(x * F(y) for x, y in zip(V[i], c)), d) for c in transpose(B)])
     inverse = least_norm(A, [[0]] * m)[2]
     t = 64 * (m + 4) * (n + 4) * U * (1 + norm(A) * inverse) * (norm(A) + norm(B))
     args = " ".join([str(m), str(n), str(k)] + flat(A) + flat(B))
