@@ -198,24 +198,30 @@ et_status et_exact_fit_parameters(et_fit *fit, const et_vec3 *data, size_t nov, 
 
 /* The least-squares control points at the fit's own parameters and on its shell's own knots: the exact minimiser of the approach (for improved the
  * means of the two views' exact minimisers, and the corners), each coordinate rounded once.  Replaces the control points of fit->shell, nothing else.
- * options: approach and corners are used; degrees and sides are the shell's.
+ * options: approach and corners are used; degrees and sides are the shell's.  Knots are clamped, parameters rise from end to end of the domain.
  * ET_EINVAL (fit or options not valid, a shell rational, views of unequal parameters or knots where the approach shares them, nov not the data's),
- * ET_ERANK (the exact matrix is rank deficient; message names view and direction), ET_ESTOPPED, ET_ENOMEM.
+ * ET_ERANK (the exact matrix is rank deficient; message names view, direction and rank), ET_EFORMAT (a coordinate overflows), ET_ENOMEM, and
+ * ET_ESTOPPED or what else the task returned; it is asked before each precision and after each coordinate.  On failure nothing is changed.
  * Golden: none (the rows of et_fit_make are checked against it). */
 /*@ requires valid:     \valid(fit) && \valid_read(options) && \valid_read(data + (0 .. nov - 1)) && (bits == \null || \valid(bits));
     requires fit:       et_fit_stored(fit);
     requires finite:    et_points_finite((et_vec3 *)data, nov);
     requires task:      task == \null || \valid_read(task);
     requires message:   message == \null || \valid(message);
+    requires separated: \separated(fit, data + (0 .. nov - 1), options, bits, message);
     assigns fit->shell.view[0].points[0 .. fit->shell.view[0].nu * fit->shell.view[0].nv - 1],
             fit->shell.view[1].points[0 .. fit->shell.view[1].nu * fit->shell.view[1].nv - 1], *bits, *message;
     ensures invalid:    nov != NOV(fit->data.nx, fit->data.ny) ==> \result == ET_EINVAL;
+    ensures finite:     \result == ET_OK ==> et_points_finite(fit->shell.view[0].points, fit->shell.view[0].nu * fit->shell.view[0].nv)
+                            && et_points_finite(fit->shell.view[1].points, fit->shell.view[1].nu * fit->shell.view[1].nv);
+    ensures unchanged:  \result != ET_OK ==> \forall integer k; 0 <= k < fit->shell.view[0].nu * fit->shell.view[0].nv ==>
+                            fit->shell.view[0].points[k] == \old(fit->shell.view[0].points[k]);
 */
 et_status et_exact_fit_solve(et_fit *fit, const et_vec3 *data, size_t nov, const et_fit_options *options, size_t *bits, const et_task *task,
                              et_message *message);
 
 /* et_fit_make with every stage exact: parameters, standardised parameters, knots, control points.  options->algebra is not used.
- * Errors as et_fit_make, and ET_ENOCONV, ET_ESTOPPED.  Freed by et_fit_free.
+ * Errors as et_fit_make (ET_EFORMAT also where knots come closer than 2^-1022), and ET_ENOCONV, ET_ESTOPPED.  Freed by et_fit_free.
  * Golden: none (the rows of et_fit_make are checked against it). */
 /*@ requires valid:     \valid(fit) && \valid_read(options) && \valid_read(data + (0 .. nov - 1)) && (bits == \null || \valid(bits));
     requires finite:    et_points_finite((et_vec3 *)data, nov);
