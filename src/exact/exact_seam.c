@@ -37,21 +37,20 @@ static et_status sample_parameters(double **t, size_t *n, const double *a, const
     return out == NULL ? ET_ENOMEM : ET_OK;
 }
 
-/* The greatest gap so far: sqrt(num)/den 2^e, and where. */
+/* The greatest gap so far: sqrt(num)/den, and where. */
 typedef struct {
     fmpz_t num, den;
-    slong e;
     double u, v;
 } best;
 
-/* The homogeneous points of both views over the same parameters, two lines of n; the others' units. */
+/* The homogeneous points of both views over the same parameters; the coordinates' units are 2^a and 2^b wherever on the surfaces. */
 typedef struct {
     fmpz *bottom, *top;
     slong a, b;
 } borders;
 
-/* Whether sqrt(num)/den 2^e is greater than the greatest: by squares, all of them whole numbers. */
-static int exceeds(const fmpz_t num, const fmpz_t den, slong e, const best *g)
+/* Whether sqrt(num)/den is greater than the greatest: by squares, all of them whole numbers. */
+static int exceeds(const fmpz_t num, const fmpz_t den, const best *g)
 {
     fmpz_t x, y;
     int greater;
@@ -62,8 +61,6 @@ static int exceeds(const fmpz_t num, const fmpz_t den, slong e, const best *g)
     fmpz_mul(x, x, num);
     fmpz_mul(y, den, den);
     fmpz_mul(y, y, g->num);
-    fmpz_mul_2exp(x, x, e > g->e ? 2 * (ulong)(e - g->e) : 0);
-    fmpz_mul_2exp(y, y, g->e > e ? 2 * (ulong)(g->e - e) : 0);
     greater = fmpz_cmp(x, y) > 0;
     fmpz_clear(x);
     fmpz_clear(y);
@@ -72,16 +69,14 @@ static int exceeds(const fmpz_t num, const fmpz_t den, slong e, const best *g)
 
 static void visit(best *g, const borders *s, size_t at, double u, double v)
 {
-    const slong e = s->a < s->b ? s->a : s->b;
     fmpz_t num, den;
 
     fmpz_init(num);
     fmpz_init(den);
     exact_gap(num, den, s->bottom + EXACT_COMPONENTS * at, s->a, s->top + EXACT_COMPONENTS * at, s->b);
-    if (exceeds(num, den, e, g)) {
+    if (exceeds(num, den, g)) {
         fmpz_swap(g->num, num);
         fmpz_swap(g->den, den);
-        g->e = e;
         g->u = u;
         g->v = v;
     }
@@ -106,7 +101,7 @@ static void borders_clear(borders *s, size_t n)
 static void search(et_seam *gap, const et_shell *shell, const double *s, size_t ns, const double *r, size_t nr)
 {
     static const double ends[2] = {0, 1};
-    best g = {.u = 0, .v = 0, .e = 0};
+    best g = {.u = 0, .v = 0};
     borders b;
 
     fmpz_init(g.num);
@@ -121,7 +116,7 @@ static void search(et_seam *gap, const et_shell *shell, const double *s, size_t 
         for (size_t k = 0; k < 2; k++)
             visit(&g, &b, 2 * i + k, s[i], ends[k]);
     borders_clear(&b, 2 * ns);
-    *gap = (et_seam){exact_root(g.num, g.den, g.e), g.u, g.v};
+    *gap = (et_seam){exact_root(g.num, g.den, b.a < b.b ? b.a : b.b), g.u, g.v};
     fmpz_clear(g.num);
     fmpz_clear(g.den);
 }
