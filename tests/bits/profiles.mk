@@ -20,8 +20,10 @@ CC_i386       = i686-linux-gnu-gcc --sysroot=$(SYSROOT)
 FLAGS_aarch64 = -O2
 FLAGS_s390x   = -O2
 FLAGS_i386    = -O2 -msse2 -mfpmath=sse
-# The generators of the tests draw 64 bits, and sizes are taken of them.
-TEST_FLAGS_i386 = -Wno-conversion -Wno-type-limits
+# Tests are compiled fast; their generators draw 64 bits, and sizes are taken of them.
+TEST_FLAGS_aarch64 = -O0
+TEST_FLAGS_s390x   = -O0
+TEST_FLAGS_i386    = -O0 -Wno-conversion -Wno-type-limits
 ifneq ($(filter $(CROSS),$(P)),)
 SYSROOT ?= $(BUILD)/sysroot/$(P)
 AR      := $(patsubst %-gcc,%-ar,$(firstword $(CC_$(P))))
