@@ -1,7 +1,7 @@
 #!/bin/sh
 # bits.sh BUILD [PART...]: same seed, same bits.  Parts, all of them unless named:
-#   native              two compilers, four ways of optimising, one thread and two, every BLAS of this machine: the files that the command makes, whole
-#                       runs (tests/bits/replay.c), and the golden rows of class bits and exact
+#   native              two compilers, four ways of optimising, one thread and two, three BLAS: the files that the command makes, whole runs
+#                       (tests/bits/replay.c), and the golden rows of class bits and exact
 #   aarch64 s390x i386  runs and rows on other processors, under qemu
 #   fault               a build planted with a fault: it must be noticed
 # By definition what gcc -O0 makes with one thread is compared with all others.  What is left out is named, and is not counted.
@@ -171,7 +171,7 @@ native() {
     native_build clang-native 'clang -O3 -march=native' 1
     for a in qr cholesky svd; do
         hash=$(sed -n "s/^refined_$a //p" "$work/want.hashes")
-        if [ -n "$hash" ] && grep -qx "refined_qr $hash" "$work/want.hashes"; then ok "refined $a is refined qr"; else fail "refined $a is not refined qr"; fi
+        if grep -qx "refined_qr ${hash:-none}" "$work/want.hashes"; then ok "refined $a is refined qr"; else fail "refined $a is not refined qr"; fi
     done
     libs=/usr/lib/$(gcc -print-multiarch)
     for b in "reference:$libs/blas:$libs/lapack" "openblas:$libs/openblas-pthread" "atlas:$libs/atlas"; do
