@@ -3,18 +3,22 @@
 
 /* With k = i + 128 e, 0 <= i < 128: e^x = 2^e 2^(i/128) e^r, r = x - k ln 2 / 128, |r| < 0.00271 < 2^-8.52; 2^(i/128) = t1 + t2 < 2.
  *
- * Reduction.  |k| < 2^17.2 and `step` has 35 bits: k step is exact, and x - k step is a multiple of 2^-61 below 2^-8 (or k = 0): exact.  k step_rest is
- * below 2^-25.8; it is rounded, low subtracted and rounded: 2^-79 each, and step_rest's own error times k is 2^-79.8.  r + r2 is exact (Fast2Sum).
- * Together 2^-77.6.
- * s = e^r - 1 - a.  Up to r^6/720: 2^-72 left out; e^(r + r2) - e^r - r2: 2^-70.5; rounding of r^2/2: 2.02u of 2^-18.05: 2^-70.04; two sums: 2^-72 each.
- * Product.  t1 is a multiple of 2^-25 and a one of 2^-34 below 2^-8.5: p is exact, and h + l = t1 + p exactly.  Rounding of t1 + t2, of its product with
- * s, and of the last sum: 2^-71 each; the rest 2^-78.
+ * Reduction.  |k| < 2^17.2 and `exp_step` has 35 bits: k exp_step is exact, and x - k exp_step is a multiple of 2^-61 below 2^-8 (or k = 0): exact.
+ * k exp_step_rest is below 2^-25.8; it is rounded, low subtracted and rounded: 2^-79 each, and exp_step_rest's own error times k is 2^-79.8.  r + r2 is
+ * exact (Fast2Sum).  Together 2^-77.6.
+ *
+ * s = e^r - 1 - a.  Up to r^6/720: 2^-72 left out; e^(r + r2) - e^r - r2: 2^-70.5; rounding of r^2/2: 2.02u of 2^-18.05: 2^-70.04; two sums:
+ * 2^-72 each.
+ *
+ * Product.  t1 is a multiple of 2^-25 and a one of 2^-34 below 2^-8.5: p is exact, and h + l = t1 + p exactly.  Rounding of t1 + t2, of its
+ * product with s, and of the last sum: 2^-71 each; the rest 2^-78.
+ *
  * In all 2 (2^-77.6 + 2^-72 + 2^-70.5 + 2^-70.04 + 2 2^-72) + 3 2^-71 + 2^-78 < 2^-67.3; the rounding of lo -+ E adds 2^-71: below 2^-67. */
 static inline et_dd fast(int *scale, double x, double low)
 {
-    const double shifted = x * steps + 0x1.8p52, k = shifted - 0x1.8p52;        /* the nearest integer, which stands in the last bits of shifted */
+    const double shifted = x * exp_steps + 0x1.8p52, k = shifted - 0x1.8p52;        /* the nearest integer, which stands in the last bits of shifted */
     const unsigned n = (unsigned)real_bits(shifted) + 128 * 2048, i = n & 127;  /* k made positive */
-    const double r1 = x - k * step, t = k * step_rest - low, r = r1 - t, r2 = (r1 - r) - t;
+    const double r1 = x - k * exp_step, t = k * exp_step_rest - low, r = r1 - t, r2 = (r1 - r) - t;
     const double a = (r + 0x1.8p18) - 0x1.8p18, b = (r - a) + r2, square = r * r;
     const double tail = (0x1.5555555555555p-3 + r * 0x1.5555555555555p-5) + square * (0x1.1111111111111p-7 + r * 0x1.6c16c16c16c17p-10);
     const double s = (b + 0.5 * square) + square * r * tail;

@@ -132,7 +132,7 @@ static const double exp_table[128][2] = {
     {0x1.fa7c18p+0, 0x1.9e90d82e90a7ep-28},
     {0x1.fd3c228p+0, 0x1.c7b8f884badd2p-27},
 };
-static const double steps = 0x1.71547652b82fep+7; /* 128 / ln 2 */
-static const double step = 0x1.62e42fefcp-8; /* ln 2 / 128: a multiple of 2^-42 ... */
-static const double step_rest = -0x1.c610ca86c3899p-44; /* ... and the rest */
+static const double exp_steps = 0x1.71547652b82fep+7; /* 128 / ln 2 */
+static const double exp_step = 0x1.62e42fefcp-8; /* ln 2 / 128: a multiple of 2^-42 ... */
+static const double exp_step_rest = -0x1.c610ca86c3899p-44; /* ... and the rest */
 #endif

@@ -1,6 +1,7 @@
 /* Written by tests/golden/real_tables.py; not to be edited. */
 #ifndef BASE_REAL_LOG_TABLE_H
 #define BASE_REAL_LOG_TABLE_H
+#include "etalon/base/dd.h"
 /* c near 1/m, a multiple of 2^-12; -ln c: a multiple of 2^-42, and the rest. */
 static const double log_table[128][3] = {
     {0x1.735p+0, -0x1.7cca97da6ap-2, -0x1.09d33783e0abep-45},
@@ -132,7 +133,7 @@ static const double log_table[128][3] = {
     {0x1.77ap-1, 0x1.3d2abb3b3bp-2, 0x1.37bbee1a39cd8p-44},
     {0x1.756p-1, 0x1.4351b33744p-2, -0x1.474d03d2d95b8p-46},
 };
-static const double ln2 = 0x1.62e42fefa38p-1; /* ln 2: a multiple of 2^-42 ... */
-static const double ln2_rest = 0x1.ef35793c7673p-45; /* ... and the rest */
-static const et_dd third = {0x1.5555555555555p-2, 0x1.5555555555555p-56}; /* 1/3 */
+static const double log_2 = 0x1.62e42fefa38p-1; /* ln 2: a multiple of 2^-42 ... */
+static const double log_2_rest = 0x1.ef35793c7673p-45; /* ... and the rest */
+static const et_dd log_third = {0x1.5555555555555p-2, 0x1.5555555555555p-56}; /* 1/3 */
 #endif

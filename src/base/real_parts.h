@@ -1,7 +1,7 @@
 /* real_parts: what the files of real share: the first phase of each elementary function, its proved bound, the rounding test, and the last resort.
  *
- * A first phase gives a value hi + lo, not necessarily normal, whose distance from the exact one is below a bound E.  If hi + (lo - E) and
- * hi + (lo + E) round to the same double, that is the correctly rounded result; the bounds leave room for the rounding of lo -+ E.  Else MPFR decides.
+ * A first phase gives a value hi + lo, not necessarily normal, whose distance from the exact one is below a bound E.  If hi + (lo - E) and hi + (lo +
+ * E) round to the same double, that is the correctly rounded result; the bounds leave room for the rounding of lo -+ E.  Else MPFR decides.
  */
 #ifndef BASE_REAL_PARTS_H
 #define BASE_REAL_PARTS_H

@@ -1,21 +1,25 @@
 #include "base/real_parts.h"
 #include "base/real_trig_table.h"
 
-/* x - k pi/512 for |k| < 2^19.4, in normal form.  step1 has 33 bits, step2 32: k step1 and k step2 are exact, x - k step1 is a multiple of 2^-61 below
- * 2^-8 (or k = 0): exact.  k step3 is below 2^-53.5: it, its own error times k and the difference are off by 2^-105.3 together. */
+/* x - k pi/512 for |k| < 2^19.4, in normal form.  sine_step1 has 33 bits, sine_step2 32: k sine_step1 and k sine_step2 are exact, x - k sine_step1 is a multiple of 2^-61
+ * below 2^-8 (or k = 0): exact.  k sine_step3 is below 2^-53.5: it, its own error times k and the difference are off by 2^-105.3 together. */
 static et_dd reduced(double x, double k)
 {
-    const et_dd r = dd_two_sum(x - k * step1, -(k * step2));
+    const et_dd r = dd_two_sum(x - k * sine_step1, -(k * sine_step2));
 
-    return dd_two_sum(r.hi, r.lo - k * step3);
+    return dd_two_sum(r.hi, r.lo - k * sine_step3);
 }
 
 /* sin(t + r) = S + C r + S (cos r - 1) + C (sin r - r) with S = sin t, C = cos t in two parts each; |r| < 0.00307 = 2^-8.34, |r.lo| <= 2^-62.
  *
  * C1 and the upper part a of r have 26 bits: C1 a is exact, and S1 + C1 a as well (S1 is 0 or above 0.006).
- * S (cos r - 1): 4.5u of S 2^-17.7; five sums 5u of that; r r.lo left out 2^-70.4 S: in all S 2^-67.27.  C (sin r - r): 6u of 2^-27.6; sums of what
- * does not have the factor S: 5.3u 2^-27; together 2^-76.8, when S is not 0 and thus above 2^-7.36: S 2^-69.4.  When S is 0 that is r 2^-69, for then r^2/6
- * and b are relative to r.  r itself is off by 2^-105.  The rounding of lo -+ E adds S 2^-70.7: below E = 1.5 2^-67 S + 2^-68 r + 2^-104. */
+ *
+ * S not 0, thus above 2^-7.36.  S (cos r - 1): 4.5u of S 2^-17.7; five sums 5u of that; r r.lo left out S 2^-70.4: in all S 2^-67.27.
+ * C (sin r - r): 6u of 2^-27.6; sums of what has not the factor S 5.3u 2^-27: together 2^-76.8 < S 2^-69.4.
+ *
+ * S = 0.  Everything is relative to r, and (sin r - r) / r below 2^-19.2: r 2^-69.
+ *
+ * r itself is off by 2^-105.3.  The rounding of lo -+ E adds S 2^-70.7: below E = 1.5 2^-67 S + 2^-68 r + 2^-104. */
 static et_dd turned(double *error, const double s[2], const double c[2], double sign_c, et_dd r)
 {
     const double x = r.hi, xx = x * x, a = dd_upper(x), b = (x - a) + r.lo;
@@ -30,7 +34,7 @@ static et_dd turned(double *error, const double s[2], const double c[2], double 
 
 et_dd real_trig_fast(double *error, double x, unsigned shift)
 {
-    const double k = real_nearest(x * steps);
+    const double k = real_nearest(x * sine_steps);
     const unsigned turn = (unsigned)(int)k, j = turn & 255, quarter = (turn >> 8) + shift;
     const double *one = sine_table[j], *other = sine_table[256 - j];
     const et_dd r = reduced(x, k);

@@ -261,8 +261,8 @@ static const double sine_table[257][2] = {
     {0x1.fffd888p-1, -0x1.38bab6d94c71dp-28},
     {0x1p+0, 0x0p+0},
 };
-static const double steps = 0x1.45f306dc9c883p+7; /* 512 / pi */
-static const double step1 = 0x1.921fb544p-8; /* pi / 512: a multiple of 2^-39 ... */
-static const double step2 = 0x1.0b4611a8p-42; /* ... a multiple of 2^-72 ... */
-static const double step3 = -0x1.d9cceba3f91f2p-74; /* ... and the rest */
+static const double sine_steps = 0x1.45f306dc9c883p+7; /* 512 / pi */
+static const double sine_step1 = 0x1.921fb544p-8; /* pi / 512: a multiple of 2^-39 ... */
+static const double sine_step2 = 0x1.0b4611a8p-42; /* ... a multiple of 2^-72 ... */
+static const double sine_step3 = -0x1.d9cceba3f91f2p-74; /* ... and the rest */
 #endif

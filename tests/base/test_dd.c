@@ -58,7 +58,8 @@ static bool within(gen *g, et_dd got, mpfr_t exact, double bound, const char *wh
 verdict prop_dd_two_sum(gen *g)
 {
     const bool wide = gen_chance(g, 4);
-    const double a = draw_double(g, wide ? -1074 : -60, wide ? 1021 : 60), b = gen_chance(g, 8) ? 0 : draw_double(g, wide ? -1074 : -60, wide ? 1021 : 60);
+    const int low = wide ? -1074 : -60, high = wide ? 1021 : 60;
+    const double a = draw_double(g, low, high), b = gen_chance(g, 8) ? 0 : draw_double(g, low, high);
     const et_dd s = et_dd_two_sum(a, b), t = et_dd_two_sum(b, a), minus = et_dd_two_sum(a, -a);
     mpfr_t exact;
 
@@ -135,7 +136,8 @@ verdict prop_dd_sub(gen *g)
 verdict prop_dd_mul(gen *g)
 {
     const bool wide = gen_chance(g, 4);
-    const et_dd a = draw_dd(g, wide ? -450 : -30, wide ? 508 : 30), b = gen_chance(g, 8) ? (et_dd){0, 0} : draw_dd(g, wide ? -449 : -30, wide ? 508 : 30);
+    const int low = wide ? -449 : -30, high = wide ? 508 : 30;
+    const et_dd a = draw_dd(g, low, high), b = gen_chance(g, 8) ? (et_dd){0, 0} : draw_dd(g, low, high);
     mpfr_t exact, other;
 
     mpfr_inits2(BITS, exact, other, (mpfr_ptr)0);
@@ -149,7 +151,8 @@ verdict prop_dd_mul(gen *g)
 verdict prop_dd_div(gen *g)
 {
     const bool wide = gen_chance(g, 4);
-    const et_dd a = gen_chance(g, 8) ? (et_dd){0, 0} : draw_dd(g, wide ? -450 : -30, wide ? 450 : 30), b = draw_dd(g, wide ? -449 : -30, wide ? 490 : 30);
+    const int low = wide ? -449 : -30, high = wide ? 450 : 30;
+    const et_dd a = gen_chance(g, 8) ? (et_dd){0, 0} : draw_dd(g, low, high), b = draw_dd(g, low, high);
     mpfr_t exact, other;
 
     mpfr_inits2(BITS, exact, other, (mpfr_ptr)0);

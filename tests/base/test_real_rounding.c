@@ -1,6 +1,9 @@
-/* base/real: exp, log, pow, sin, cos against MPFR at ever more bits, in every case the same double; the first phases against their bounds; and arguments
- * made so that the first phase cannot decide. */
+/* base/real: exp, log, pow, sin, cos against MPFR at ever more bits, in every case the same double; the first phases against their bounds; and
+ * arguments made so that the first phase cannot decide. */
+#include "base/real_exp_table.h"
+#include "base/real_log_table.h"
 #include "base/real_parts.h"
+#include "base/real_trig_table.h"
 #include "etalon/base/real.h"
 #include "gen.h"
 #include <math.h>
@@ -448,5 +451,98 @@ verdict prop_real_sin_last(gen *g)
     const et_dd value = real_trig_fast(&error, i > 2 ? 0 : hard[i], 0);
     bool ok = gen_check(g, i > 2 || !real_rounds(&r, value, error), "sin(%a) is decided", hard[i]);
     ok = ok && agrees(g, "sin", sine, et_real_sin(hard[i]), hard[i], 0);
+    return ok ? PASS : FAIL;
+}
+
+/* q less the nearest multiple of 2^-bits, which must be `part`; bits 0: part is the nearest double. */
+static bool splits(gen *g, mpfr_t q, double part, int bits, const char *what, size_t i)
+{
+    mpfr_t t;
+    double want;
+
+    mpfr_init2(t, 400);
+    mpfr_mul_2si(t, q, bits, MPFR_RNDN);
+    if (bits)
+        mpfr_rint(t, t, MPFR_RNDN);
+    mpfr_mul_2si(t, t, -bits, MPFR_RNDN);
+    want = mpfr_get_d(t, MPFR_RNDN);
+    mpfr_clear(t);
+    mpfr_sub_d(q, q, part, MPFR_RNDN);
+    return gen_check(g, part == want, "%s %zu: %a, not %a", what, i, part, want);
+}
+
+verdict prop_real_exp_table(gen *g)
+{
+    mpfr_t q;
+    bool ok = true;
+
+    mpfr_init2(q, 400);
+    for (size_t n = 0, i = gen_upto(g, 127); ok && n < 8; n++, i = (i + 1) % 128) {
+        mpfr_set_ui_2exp(q, i, -7, MPFR_RNDN);
+        mpfr_exp2(q, q, MPFR_RNDN);
+        ok = splits(g, q, exp_table[i][0], 25, "2^(i/128)", i) && splits(g, q, exp_table[i][1], 0, "its rest", i);
+    }
+    mpfr_const_log2(q, MPFR_RNDN);
+    mpfr_div_2ui(q, q, 7, MPFR_RNDN);
+    ok = ok && splits(g, q, exp_step, 42, "ln 2 / 128", 0) && splits(g, q, exp_step_rest, 0, "its rest", 0);
+    mpfr_const_log2(q, MPFR_RNDN);
+    mpfr_ui_div(q, 128, q, MPFR_RNDN);
+    ok = ok && splits(g, q, exp_steps, 0, "128 / ln 2", 0);
+    mpfr_clear(q);
+    mpfr_free_cache();
+    return ok ? PASS : FAIL;
+}
+
+static bool log_row_right(gen *g, mpfr_t q, size_t i)
+{
+    const double c = log_table[i][0], low = i < 80 ? (176 + (double)i) / 256 : (48 + (double)i) / 128, high = low + (i < 80 ? 0x1p-8 : 0x1p-7);
+    const double most = c == 1 ? 0x1p-7 : 1.0 / 239; /* c m - 1 */
+
+    mpfr_set_d(q, c, MPFR_RNDN);
+    mpfr_log(q, q, MPFR_RNDN);
+    mpfr_neg(q, q, MPFR_RNDN);
+    bool ok = splits(g, q, log_table[i][1], 42, "-ln c", i) && splits(g, q, log_table[i][2], 0, "its rest", i);
+    ok = ok && gen_check(g, c * 4096 == floor(c * 4096) && fabs(c * low - 1) <= most && fabs(c * high - 1) <= most, "c %zu: %a", i, c);
+    return ok && gen_check(g, (c == 1) == (low == 1 || high == 1), "c %zu: %a", i, c);
+}
+
+verdict prop_real_log_table(gen *g)
+{
+    mpfr_t q;
+    bool ok = true;
+
+    mpfr_init2(q, 400);
+    for (size_t n = 0, i = gen_upto(g, 127); ok && n < 8; n++, i = (i + 1) % 128)
+        ok = log_row_right(g, q, i);
+    mpfr_const_log2(q, MPFR_RNDN);
+    ok = ok && splits(g, q, log_2, 42, "ln 2", 0) && splits(g, q, log_2_rest, 0, "its rest", 0);
+    mpfr_set_ui(q, 1, MPFR_RNDN);
+    mpfr_div_ui(q, q, 3, MPFR_RNDN);
+    ok = ok && splits(g, q, log_third.hi, 0, "1/3", 0) && splits(g, q, log_third.lo, 0, "its rest", 0);
+    mpfr_clear(q);
+    mpfr_free_cache();
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_real_sin_table(gen *g)
+{
+    mpfr_t q, p;
+    bool ok = true;
+
+    mpfr_inits2(400, q, p, (mpfr_ptr)0);
+    mpfr_const_pi(p, MPFR_RNDN);
+    mpfr_div_2ui(p, p, 9, MPFR_RNDN);
+    for (size_t n = 0, j = gen_upto(g, 256); ok && n < 8; n++, j = (j + 1) % 257) {
+        mpfr_mul_ui(q, p, j, MPFR_RNDN);
+        mpfr_sin(q, q, MPFR_RNDN);
+        if (j == 256) /* pi's own error */
+            mpfr_set_ui(q, 1, MPFR_RNDN);
+        ok = splits(g, q, sine_table[j][0], 26, "sin(j pi/512)", j) && splits(g, q, sine_table[j][1], 0, "its rest", j);
+    }
+    mpfr_ui_div(q, 1, p, MPFR_RNDN);
+    ok = ok && splits(g, q, sine_steps, 0, "512 / pi", 0);
+    ok = ok && splits(g, p, sine_step1, 39, "pi/512", 0) && splits(g, p, sine_step2, 72, "its rest", 0) && splits(g, p, sine_step3, 0, "the last", 0);
+    mpfr_clears(q, p, (mpfr_ptr)0);
+    mpfr_free_cache();
     return ok ? PASS : FAIL;
 }

@@ -1,8 +1,8 @@
 """elementary: exp, log, pow, sin, cos correctly rounded to nearest-even, in integers alone.
 
-A real is enclosed as (v - e) 2^q < value < (v + e) 2^q with integers v, e, q; the precision grows until both ends round to one double.  Where that can
-never happen (values that are doubles or stand midway between two) the value is a rational and is rounded as one: by Lindemann and Weierstrass e^x,
-ln x, sin x and cos x are irrational for rational x but 0 (and 1 for ln), and x^y is rational only as `dyadic_power` finds.
+A real is enclosed as (v - e) 2^q < value < (v + e) 2^q with integers v, e, q; the precision grows until both ends round to one double.  Where that
+can never happen (values that are doubles or stand midway between two) the value is a rational and is rounded as one: by Lindemann and Weierstrass
+e^x, ln x, sin x and cos x are irrational for rational x but 0 (and 1 for ln), and x^y is rational only as `dyadic_power` finds.
 """
 from fractions import Fraction as F
 from functools import lru_cache

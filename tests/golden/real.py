@@ -71,8 +71,8 @@ for x in [709.782712893384, 709.7827128933841, 710.0, 709.78, 709.0, 708.9999, -
         elementary("exp", "near overflow or underflow", y)
 for _ in range(40):
     elementary("exp", "subnormal result", c.real(-745.2, -708.3))
-for x in ["0x1.83d4bcdebb3f4p+2", "-0x1.12d31a20fb38bp+5", "-0x1.a2fefefd580dfp-13", "0x1.9e9cbbfd6080bp-31", "0x1.0122ef37212ebp-1", "0x1.3d963bb752a0ap-1",
-          "0x1.accfbe46b4ef0p-1", "0x1.c2c72a87085a9p-1", "0x1.3f9ea4cb30446p-1", "0x1.567b7b14a2e6ep+0", "0x1.70a1a8cb942d3p+0", "0x1.008eb56314dafp+0"]:
+for x in ["0x1.83d4bcdebb3f4p+2", "-0x1.12d31a20fb38bp+5", "-0x1.a2fefefd580dfp-13", "0x1.9e9cbbfd6080bp-31", "0x1.0122ef37212ebp-1",
+          "0x1.3d963bb752ap-1", "0x1.accfbe46b4efp-1", "0x1.c2c72a87085a9p-1", "0x1.3efea4cb30446p-1", "0x1.967b7b14a2e6ep-1", "0x1.70a1a8cb942d3p+0"]:
     for y in (float.fromhex(x), -float.fromhex(x)):
         elementary("exp", "published as hard, and its negative", y)
 for k in range(1, 56):
@@ -94,9 +94,9 @@ for x in SPECIAL:
 for k in range(1, 53):
     for x in (1.0 + 2.0**-k, 1.0 - 2.0**-k, 1.0 + 2.0**-k * c.real(1, 2)):
         elementary("log", "near 1", x)
-for x in ["0x1.62a88613629b6p+678", "0x1.ac50b409c8aeep+8", "0x1.a6ae5142326b5p+0", "0x1.c877cba59d0acp+0", "0x1.39e3e05fe5f35p+3", "0x1.4ead5d815d981p+2",
-          "0x1.08ddce0f5ceeep+43", "0x1.a6004162f2b8cp+45", "0x1.304da5ffcea3dp+42", "0x1.1cd5b1b9d3fc6p+23", "0x1.e2e35f909c12ep-1"]:
-    elementary("log", "published as hard, and others", float.fromhex(x))
+for x in ["0x1.62a88613629b6p+678", "0x1.ac50b409c8aeep+8", "0x1.a6ae5142326b5p+0", "0x1.c877cba59d0acp+0", "0x1.39e3e05fe5f35p+3",
+          "0x1.4cad5d815d981p+2", "0x1.08ddce0f5ceep+43", "0x1.a6004162f2b8cp+45", "0x1.304da5ffcea3dp+42", "0x1.1cd5b1b9d3fc6p+23"]:
+    elementary("log", "published as hard", float.fromhex(x))
 for k in (3, 5, 7, 13, 15, 25, 60):
     elementary("log", "nearly midway: z - z^2/2", 1.0 + k * 2.0**-51)
     elementary("log", "nearly midway: z - z^2/2", 1.0 - k * 2.0**-52)
@@ -148,8 +148,9 @@ for _ in range(60):
 HUGE = [1e22, 1e300, GREATEST, scaled(6381956970095103, 797), 2.0**1023, 1e16, 4096.0, 4096.5, 1e5]
 NEAR = [exactly.double(F(k) * exactly.PI / 2) for k in list(range(1, 30)) + [100, 1000, 2607, 2608, 10**6, 10**15]]
 STEPS = [exactly.double(F(2 * k + 1) * exactly.PI / 1024) for k in range(0, 520, 13)]
-HARD = ["0x1.598bae9e632f6p-7", "0x1.0102947e7003bp-3", "0x1.e0000000001c2p-20", "0x1.184a0aa58191dp-24", "0x1.06b505550e6b2p-9", "0x1.8000000000009p-23", "0x1.005023d32fee5p+1",
-        "0x1.06800e629d672p-23", "0x1.21f63ff409044p-23", "0x1.30c7efbee12adp-24", "0x1.45dd7c26e54b9p-24", "0x1.58868e3115187p-24", "0x1.e07e9ae1cb9a2p-3"]
+HARD = ["0x1.598bae9e632f6p-7", "0x1.0102947e7003bp-3", "0x1.e0000000001c2p-20", "0x1.184a0aa58191dp-24", "0x1.06b505550e6b2p-9",
+        "0x1.8000000000009p-23", "0x1.005023d32fee5p+1", "0x1.06800e629d672p-23", "0x1.21f63ff409044p-23", "0x1.30c7efbee12adp-24",
+        "0x1.45dd7c26e54b9p-24", "0x1.58868e3115187p-24"]
 for name in ("sin", "cos"):
     for x in SPECIAL:
         elementary(name, "special", x)

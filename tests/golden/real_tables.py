@@ -59,9 +59,9 @@ def constant(what, name, text):
 def exp_table():
     yield from lines("2^(i/128): a multiple of 2^-25, and the rest.", "exp_table", [parts(power_of_two(F(i, 128)), 25) for i in range(128)], 2)
     a, b = parts(LN2 / 128, 42)
-    yield constant("128 / ln 2", "steps", show(double(128 / LN2)))
-    yield constant("ln 2 / 128: a multiple of 2^-42 ...", "step", a)
-    yield constant("... and the rest", "step_rest", b)
+    yield constant("128 / ln 2", "exp_steps", show(double(128 / LN2)))
+    yield constant("ln 2 / 128: a multiple of 2^-42 ...", "exp_step", a)
+    yield constant("... and the rest", "exp_step_rest", b)
 
 
 def interval(i):
@@ -72,25 +72,26 @@ def interval(i):
 def log_row(i):
     low, high = interval(i)
     c = F(1) if low == 1 or high == 1 else cut(2 / (low + high), 12)
+    assert all(abs(c * m - 1) <= F(1, 128 if c == 1 else 239) for m in (low, high))
     return [show(double(c))] + (["0x0p+0", "0x0p+0"] if c == 1 else parts(-value(*log_of(c, W)), 42))
 
 
 def log_table():
     yield from lines("c near 1/m, a multiple of 2^-12; -ln c: a multiple of 2^-42, and the rest.", "log_table", [log_row(i) for i in range(128)], 3)
     a, b = parts(LN2, 42)
-    yield constant("ln 2: a multiple of 2^-42 ...", "ln2", a)
-    yield constant("... and the rest", "ln2_rest", b)
+    yield constant("ln 2: a multiple of 2^-42 ...", "log_2", a)
+    yield constant("... and the rest", "log_2_rest", b)
     third = [double(F(1, 3)), double(F(1, 3) - F(double(F(1, 3))))]
-    yield "static const et_dd third = {%s}; /* 1/3 */" % ", ".join(show(x) for x in third)
+    yield "static const et_dd log_third = {%s}; /* 1/3 */" % ", ".join(show(x) for x in third)
 
 
 def trig_table():
     yield from lines("sin(j pi / 512): a multiple of 2^-26, and the rest.", "sine_table", [parts(sine(j), 26) for j in range(257)], 2)
     a, b, c = parts(PI / 512, 39, 72)
-    yield constant("512 / pi", "steps", show(double(512 / PI)))
-    yield constant("pi / 512: a multiple of 2^-39 ...", "step1", a)
-    yield constant("... a multiple of 2^-72 ...", "step2", b)
-    yield constant("... and the rest", "step3", c)
+    yield constant("512 / pi", "sine_steps", show(double(512 / PI)))
+    yield constant("pi / 512: a multiple of 2^-39 ...", "sine_step1", a)
+    yield constant("... a multiple of 2^-72 ...", "sine_step2", b)
+    yield constant("... and the rest", "sine_step3", c)
 
 
 TABLES = {"exp": exp_table, "log": log_table, "trig": trig_table}
@@ -98,7 +99,7 @@ TABLES = {"exp": exp_table, "log": log_table, "trig": trig_table}
 
 def text(name):
     guard = "BASE_REAL_%s_TABLE_H" % name.upper()
-    first = ["/* Written by tests/golden/real_tables.py; not to be edited. */", "#ifndef " + guard, "#define " + guard]
+    first = ["/* Written by tests/golden/real_tables.py; not to be edited. */", "#ifndef " + guard, "#define " + guard] + (['#include "etalon/base/dd.h"'] if name == "log" else [])
     return "\n".join(first + list(TABLES[name]()) + ["#endif", ""])
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Golden rows of som: the training loop once more, in plain loops over all classes, with its own Mersenne twister in integers.
 
-Python's floats are IEEE doubles and its arithmetic is not contracted, exp and log are correctly rounded (elementary.py): the rows hold bit for bit, and
-on any platform.
+Python's floats are IEEE doubles and its arithmetic is not contracted, exp and log are correctly rounded (elementary.py): the rows hold bit for bit,
+and on any platform.
 
 Usage: som.py > golden/som.tsv
 """
