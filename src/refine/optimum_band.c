@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 24, AREA = SIDE * SIDE };
+enum { SIDE = OPTIMUM_SIDE, AREA = SIDE * SIDE };
 
 et_status optimum_band_new(optimum_band *band, size_t n, size_t half)
 {
@@ -147,11 +147,23 @@ static void backward(const optimum_band *band, double *x)
         double *const a = x + J * SIDE;
 
         for (size_t I = J + 1; I < band->tiles && I <= J + band->width; I++) {
-            const double *const T = tile_at(band, I, J);
+            const double *const T = tile_at(band, I, J), *const b = x + I * SIDE;
 
-            for (size_t k = 0; k < SIDE; k++)
-                for (size_t i = 0; i < SIDE; i++)
-                    a[k] -= T[k * SIDE + i] * x[I * SIDE + i];
+            for (size_t k = 0; k < SIDE; k += 4) {          /* four sums at once: each waits for itself */
+                const double *const t = T + k * SIDE;
+                double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+
+                for (size_t i = 0; i < SIDE; i++) {
+                    s0 += t[i] * b[i];
+                    s1 += t[SIDE + i] * b[i];
+                    s2 += t[2 * SIDE + i] * b[i];
+                    s3 += t[3 * SIDE + i] * b[i];
+                }
+                a[k] -= s0;
+                a[k + 1] -= s1;
+                a[k + 2] -= s2;
+                a[k + 3] -= s3;
+            }
         }
         for (size_t k = SIDE; k-- > 0;) {
             for (size_t i = k + 1; i < SIDE; i++)

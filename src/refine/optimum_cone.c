@@ -10,7 +10,8 @@
 
 enum { REWEIGHTED = 6,                    /* steps of least squares, at most: each costs a twentieth of the others */
        PATIENCE = 5 };                    /* steps without a smaller gap */
-#define ACCURACY 0x1p-36                  /* of a step, in energy */
+#define ACCURACY 0x1p-36                  /* of a step, in energy; of one that is only tried */
+#define TRIED 0x1p-12
 
 /* A vector of the cone's space. */
 typedef struct { double t, r[3]; } vector;
@@ -275,7 +276,7 @@ static int start(state *a)
 /* ---- interior points ---- */
 
 /* The steps for the right sides h: N'WN dx = N'k, dr = -N dx, dt and dy from each cone's two equations. */
-static void solve(state *a)
+static void solve(state *a, double accuracy)
 {
     const size_t nov = a->model->nov;
 
@@ -287,7 +288,7 @@ static void solve(state *a)
             a->dy[3 * c + d] = 2 * e * q0 * w->q.r[d] * (a->h[c].t - 1) / down - a->h[c].r[d];
     }
     optimum_model_adjoint(a->step, a->model, a->dy);
-    optimum_solve_run(&a->full, a->step, ACCURACY);
+    optimum_solve_run(&a->full, a->step, accuracy);
     optimum_solve_take(a->step, a->dy, &a->full);
     for (size_t c = 0; c < nov; c++) {
         const scaling *const w = &a->scale[c];
@@ -378,11 +379,16 @@ static void iterate(state *a)
             now += a->t[c] - dot(a->r + 3 * c, a->y + 3 * c);
         scale_all(a);
         aim(a, 0, 0);
-        solve(a);
+        solve(a, TRIED);
         then = fmax(longest(&primal, &dual, a, 1, 1), 0) / now;
         aim(a, now / n * fmin(then * then * then, 1), 1);
-        solve(a);
+        solve(a, ACCURACY);
         longest(&primal, &dual, a, 0.98, 1);
+        if (fmin(primal, dual) < 0.25) {   /* too near the boundary: towards the centre first */
+            aim(a, now / n, 0);
+            solve(a, ACCURACY);
+            longest(&primal, &dual, a, 0.98, 1);
+        }
         step_inside(a, primal, dual);
     } while (!took(a, 0));
 }

@@ -402,20 +402,26 @@ void optimum_model_scalar(optimum_band *band, const optimum_model *model, const 
                     *optimum_band_at(band, model->at[k], model->at[l]) += weight[c] * model->value[k] * model->value[l];
 }
 
+/* T += a W, a tile's 3 x 3 block. */
+static void add_block(double *T, double a, const double *W)
+{
+    T[0] += a * W[0];
+    T[1] += a * W[1];
+    T[2] += a * W[2];
+    T[OPTIMUM_SIDE] += a * W[1];
+    T[OPTIMUM_SIDE + 1] += a * W[3];
+    T[OPTIMUM_SIDE + 2] += a * W[4];
+    T[2 * OPTIMUM_SIDE] += a * W[2];
+    T[2 * OPTIMUM_SIDE + 1] += a * W[4];
+    T[2 * OPTIMUM_SIDE + 2] += a * W[5];
+}
+
 void optimum_model_blocks(optimum_band *band, const optimum_model *model, const double *weight)
 {
-    static const size_t place[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
-
     optimum_band_clear(band);
     for (size_t c = 0; c < model->nov; c++)
         for (size_t k = model->start[c]; k < model->start[c + 1]; k++)
-            for (size_t l = model->start[c]; l < model->start[c + 1]; l++) {
-                const double a = model->value[k] * model->value[l];
-
-                if (model->at[l] > model->at[k])
-                    continue;
-                for (size_t d = 0; d < 3; d++)
-                    for (size_t e = 0; e < (model->at[k] == model->at[l] ? d + 1 : 3); e++)
-                        *optimum_band_at(band, 3 * model->at[k] + d, 3 * model->at[l] + e) += a * weight[6 * c + place[d][e]];
-            }
+            for (size_t l = model->start[c]; l < model->start[c + 1]; l++)
+                if (model->at[l] <= model->at[k])
+                    add_block(optimum_band_at(band, 3 * model->at[k], 3 * model->at[l]), model->value[k] * model->value[l], weight + 6 * c);
 }

@@ -5,6 +5,8 @@
 
 /* ---- optimum_band: a symmetric positive definite band matrix, then its Cholesky factor, in square tiles ---- */
 
+enum { OPTIMUM_SIDE = 24 };               /* of a tile; a multiple of 3, so that no 3 x 3 block is cut, and of 4 */
+
 typedef struct {
     size_t n;                             /* rows */
     size_t tiles, width;                  /* rows of tiles; tiles left of the diagonal */
@@ -14,7 +16,8 @@ typedef struct {
 et_status optimum_band_new(optimum_band *band, size_t n, size_t half);       /* half: the greatest i - j */
 void optimum_band_free(optimum_band *band);
 void optimum_band_clear(optimum_band *band);
-double *optimum_band_at(const optimum_band *band, size_t i, size_t j);       /* i >= j; i - j at most half */
+double *optimum_band_at(const optimum_band *band, size_t i, size_t j);       /* i >= j, i - j at most half; of a tile the next */
+                                          /* row is the next double, the next column the next but OPTIMUM_SIDE - 1 */
 /* L L' = the matrix; a pivot that rounding may have spoilt is replaced. */
 void optimum_band_factor(optimum_band *band);
 void optimum_band_solve(const optimum_band *band, double *x, size_t stride, double *work);
