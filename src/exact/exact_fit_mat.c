@@ -164,7 +164,7 @@ int exact_mat_solve(exact_mat *X, const exact_mat *A, const exact_mat *B)
 
 size_t exact_rank(const fmpq_mat_t A)
 {
-    const ulong prime = 0x7fffffffffffffe7; /* 2^63 - 25 */
+    const ulong prime = 0x7fffffff;     /* 2^31 - 1: a word has 32 bits somewhere */
     const slong rows = fmpq_mat_nrows(A), columns = fmpq_mat_ncols(A);
     fmpz_mat_t whole;
     nmod_mat_t residues;
