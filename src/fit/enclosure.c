@@ -144,11 +144,12 @@ static double nearest(et_dd x, double radius, int exponent)
 static double distance(double P, et_dd x, double radius, int exponent)
 {
     const double scaled = ldexp(P, -exponent), d = fabs(et_dd_sub(x, (et_dd){scaled, 0}).hi);
+    const double size = nextafter(ldexp((fabs(x.hi) + radius) * (1 + 0x1p-51), exponent), HUGE_VAL);
     const double lost = ldexp(scaled, exponent) == P ? 0 : ENCLOSURE_TINY, sum = (d * (1 + 0x1p-51) + (radius + lost)) * (1 + 0x1p-51);
     const double back = ldexp(sum, exponent);
 
-    if (isnan(back))
-        return HUGE_VAL;
+    if (isinf(scaled)) /* beside P the solution is next to nothing */
+        return (fabs(P) + size) * (1 + 0x1p-51);
     return ldexp(back, -exponent) < sum ? nextafter(back, HUGE_VAL) : back;
 }
 
@@ -292,7 +293,8 @@ static void take_points(et_fit *fit, const et_fit *copy)
         memcpy(fit->shell.view[w].points, copy->shell.view[w].points, fit->shell.view[w].nu * fit->shell.view[w].nv * sizeof(et_vec3));
 }
 
-et_status et_enclosure_refine(et_fit *fit, et_enclosure *enclosure, const et_vec3 *data, size_t nov, const et_fit_options *options, et_message *message)
+et_status et_enclosure_refine(et_fit *fit, et_enclosure *enclosure, const et_vec3 *data, size_t nov, const et_fit_options *options,
+                              et_message *message)
 {
     enclosure_job k;
     et_enclosure made;

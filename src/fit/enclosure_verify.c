@@ -1,5 +1,8 @@
-/* enclosure_verify: an approximate inverse of R, and the proof that it is one (Rump, Verification methods, 2010, sections 10.3 and 10.8): with B = A T,
- * || I - B'W B || < 1 bounds the inverse of B'W B by Neumann's series.  The condition enters once, not squared, since B'W B is formed from B. */
+/* enclosure_verify: an approximate inverse of R, and the proof that it is one (Rump, Verification methods, 2010, sections 10.3 and 10.8).
+ *
+ * With B = A T a bound || I - B'W B || < 1 bounds the inverse of B'W B by Neumann's series.  The condition enters once, not squared, since B'W B is
+ * formed from B.
+ */
 #include "etalon/base/size.h"
 #include "fit/enclosure_parts.h"
 #include <math.h>
@@ -81,16 +84,24 @@ static void multiply(double *B, double *M, const enclosure_system *s)
         }
 }
 
+/* The greatest |T_ij|, and 1 if that is 0. */
+static double greatest(const double *T, size_t n)
+{
+    double most = 0;
+
+    for (size_t e = 0; e < n * n; e++)
+        most = fabs(T[e]) > most ? fabs(T[e]) : most;
+    return most > 0 ? most : 1;
+}
+
 /* |A T - B| entry by entry, written over M.  Each entry is a sum of at most w products of a.hi with T (w u), a.lo is left out (u), A itself is off by
  * much less than u; M's own roundings and all products of errors take less than 2 u.  Where something underflows: w ENCLOSURE_TINY (1 + |T|). */
 static void product_error(double *M, const enclosure_system *s)
 {
     const size_t n = s->columns;
     const double w = (double)s->width;
-    double most = 0;
+    const double most = greatest(s->T, n);
 
-    for (size_t e = 0; e < n * n; e++)
-        most = fabs(s->T[e]) > most ? fabs(s->T[e]) : most;
     for (size_t e = 0; e < s->rows * n; e++)
         M[e] = (w + 8) * 0x1p-53 * M[e] + 2 * w * ENCLOSURE_TINY * (1 + most);
 }
@@ -187,20 +198,21 @@ static void apply_normal(double *y, double *x, const enclosure_system *s)
     }
 }
 
-/* y = S^-1 T T'S^-1 x; x is overwritten. */
+/* y = S^-1 T T'S^-1 x with T divided by its greatest entry, whose square might overflow. */
 static void apply_inverse(double *y, double *x, const enclosure_system *s)
 {
     const size_t n = s->columns;
-    double *z = s->work + s->columns * 2;
+    const double unit = greatest(s->T, n);
+    double *z = s->work + n * 2;
 
     memset(z, 0, n * sizeof *z);
     for (size_t i = 0; i < n; i++)
         for (size_t j = i; j < n; j++)
-            z[j] += s->T[i * n + j] * x[i] * sqrt(s->share[i]);
+            z[j] += s->T[i * n + j] / unit * x[i] * sqrt(s->share[i]);
     for (size_t i = 0; i < n; i++) {
         y[i] = 0;
         for (size_t j = i; j < n; j++)
-            y[i] += s->T[i * n + j] * z[j];
+            y[i] += s->T[i * n + j] / unit * z[j];
         y[i] *= sqrt(s->share[i]);
     }
 }
@@ -255,7 +267,7 @@ et_status enclosure_verify(enclosure_system *s)
         status = invert(s->T, R, n);
     s->norm = power_method(s, apply_normal, s->work, s->work + n);
     if (status == ET_OK) {
-        s->inverse = power_method(s, apply_inverse, s->work, s->work + n);
+        s->inverse = greatest(s->T, n) * power_method(s, apply_inverse, s->work, s->work + n);
         status = prove(s, M, R);
     }
     free(R);

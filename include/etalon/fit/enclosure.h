@@ -37,14 +37,14 @@ typedef struct {
  * lie strictly inside the interval of reals that round to P; corners that stand at the data's have the radius 0.
  *
  * condition: greatest over least singular value, by 40 steps of the power method with N and with T (lower estimates, commonly within some per cent);
- * for views by themselves that of both together.  backward: the lesser of Stewart's two perturbations of N that make P exact (1977; Higham, Accuracy
- * and Stability of Numerical Algorithms, section 20.7), |N'N e| / |r| and |N e| / |P| with e = P - exact, relative to |N|; the worst coordinate of
- * the worst view.  For improved e and r are those of the means.
+ * for views by themselves that of both together.  backward: Karlson and Walden's estimate (1997) of the least perturbation of N that makes P exact,
+ * |(N'N + t^2 I)^-1/2 N'r| / |P| with t = |r| / |P|, relative to |N|, N'r taken as N'N (P - exact), by 40 steps of conjugate gradients (from below;
+ * N and not the data is perturbed); the worst coordinate of the worst view.  For improved r and the exact ones are those of the means.
  *
  * ET_EINVAL: nov, options, or a fit that is not what the options say (rational, other sides or degrees, knots not clamped, parameters that do not run
  * over the domain in order, views that do not share what the approach shares).  ET_ERANK: the exact matrix is rank deficient.  ET_ENOCONV: no bound
- * can be given, the condition number of one direction (fixed corners, joint: of the whole) being about 1e13 and more, or, joint, an end knot having
- * more than p + 1 equals.  ET_ENOMEM.  Freed by et_enclosure_free.
+ * can be given, the condition number of one direction (fixed corners, joint: of the whole; columns scaled) being about 1e13 and more, basis functions
+ * nearly underflowing, or, joint, an end knot having more than p + 1 equals.  ET_ENOMEM.  Freed by et_enclosure_free.
  * Golden: none (bounds hold with any radius that is not too small; the rows of et_enclosure_refine have radii below half an ulp). */
 /*@ requires valid:     \valid(enclosure) && \valid_read(fit) && \valid_read(options) && \valid_read(data + (0 .. nov - 1));
     requires fit:       et_fit_readable((et_fit *)fit) && et_shell_readable((et_shell *)&fit->shell);
@@ -73,8 +73,9 @@ void et_enclosure_free(et_enclosure *enclosure);
 
 /* The control points become the exact solution, each coordinate rounded once, to nearest: by x += T T'N'(d - N x) from x = 0 in double-double.  The
  * control points the fit had are not read, so that the bits do not depend on who computed them, not even where a coordinate is undecided.
- * enclosure (may be null) is what et_enclosure_make gives for the new control points.  Coordinates that double-double cannot decide (ties, exact zeros
- * among data that are not all zero, condition numbers past about 1e10) are counted in `undecided`; there P is the double nearest to the double-double.
+ * enclosure (may be null) is what et_enclosure_make gives for the new control points.  Coordinates that double-double cannot decide (ties, exact
+ * zeros among data that are not all zero, condition numbers past about 1e10) are counted in `undecided`; there P is the double nearest to the
+ * double-double.
  * Coordinates of data all zero are +0 with radius 0, corners that stand at the data's are those bit for bit.  Improved and joint shells are closed
  * bit for bit (et_shell_closed).
  * Errors as et_enclosure_make, and ET_EFORMAT (overflow of the solution); then fit and enclosure are as they were. */
@@ -95,7 +96,8 @@ void et_enclosure_free(et_enclosure *enclosure);
                             fit->shell.view[w].points[i] == \old(fit->shell.view[w].points[i]);
     ensures kept:       \result != ET_OK && enclosure != \null ==> *enclosure == \old(*enclosure);
 */
-et_status et_enclosure_refine(et_fit *fit, et_enclosure *enclosure, const et_vec3 *data, size_t nov, const et_fit_options *options, et_message *message);
+et_status et_enclosure_refine(et_fit *fit, et_enclosure *enclosure, const et_vec3 *data, size_t nov, const et_fit_options *options,
+                              et_message *message);
 
 #ifdef __cplusplus
 }
