@@ -102,8 +102,8 @@ def ratio(a, b):
 
 @lru_cache(None)
 def gamma(m):
-    """(1-u)^-m - 1, u = 2^-53."""
-    return 1 / (1 - F(1, 2**53)) ** m - 1
+    """(1-u)^-m - 1, u = 2^-53, rounded up to 64 binary digits: bounds are made of it, and rationals of thousands of digits are slow."""
+    return up(1 / (1 - F(1, 2**53)) ** m - 1, 64)
 
 
 def above(x):
