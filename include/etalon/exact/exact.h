@@ -234,7 +234,8 @@ et_status et_exact_fit_solve(et_fit *fit, const et_vec3 *data, size_t nov, const
 et_status et_exact_fit_make(et_fit *fit, const et_vec3 *data, size_t nov, et_doublenet net, const et_fit_options *options, size_t *bits,
                             const et_task *task, et_message *message);
 
-/* The surface errors of et_fit_measure, each rounded once: every distance, both sums, both maxima.  ET_EINVAL, ET_ENOMEM.
+/* The surface errors of et_fit_measure, each rounded once: every distance, both sums, both maxima.  ET_EINVAL (nov not the data's, a surface not valid, a
+ * parameter not finite), ET_ENOMEM.
  * Golden: none (the rows of et_fit_measure are checked against it). */
 /*@ requires valid:     \valid(error) && \valid_read(fit) && \valid_read(data + (0 .. nov - 1)) && (bits == \null || \valid(bits));
     requires residual:  residual == \null || \valid(residual + (0 .. nov - 1));
