@@ -1,6 +1,6 @@
 /* exact_knotrule: interior knots from parameters, correctly rounded. */
-#include "exact/exact_parts.h"
 #include "etalon/base/size.h"
+#include "exact/exact_parts.h"
 
 /* x = a/b. */
 static void quotient(fmpq_t x, size_t a, size_t b)

@@ -1,10 +1,10 @@
 /* exact_lines: parameters of lines of points, and their means. */
-#include "exact/exact_radical_parts.h"
 #include "etalon/base/size.h"
+#include "exact/exact_radical_parts.h"
 #include <stdlib.h>
 #include <string.h>
 
-enum { DOUBLINGS = 2 };                   /* ties are looked for after so many */
+enum { DOUBLINGS = 2 }; /* ties are looked for after so many */
 
 void exact_uniform(double *t, size_t n)
 {

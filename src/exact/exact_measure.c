@@ -1,6 +1,6 @@
 /* exact_measure: how far the surfaces are from the data, correctly rounded. */
-#include "exact/exact_radical_parts.h"
 #include "etalon/base/size.h"
+#include "exact/exact_radical_parts.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* exact_param: parameters of gridded data, correctly rounded. */
-#include "exact/exact_radical_parts.h"
 #include "etalon/base/size.h"
+#include "exact/exact_radical_parts.h"
 #include <stdlib.h>
 #include <string.h>
 

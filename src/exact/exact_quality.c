@@ -1,17 +1,18 @@
 /* exact_quality: winners by exactly compared distances, errors correctly rounded. */
-#include "exact/exact_radical_parts.h"
 #include "etalon/base/size.h"
+#include "exact/exact_radical_parts.h"
 #include <math.h>
 #include <stdlib.h>
 
 typedef struct {
     const et_vec3 *weights;
     size_t nov;
-    exact_net w, p;       /* weights and points in one unit */
-    double *d;            /* squared distances to a point, as computed */
-    size_t *candidate;    /* classes - 1 */
-    fmpz *square;         /* their squared distances, exact */
-    fmpz *winner;         /* of each point: its squared distance to the winner */
+    exact_net w;       /* weights in a unit that is the points', too */
+    fmpz *p;           /* the point, homogeneous */
+    double *d;         /* squared distances to a point, as computed */
+    size_t *candidate; /* classes - 1 */
+    fmpz *square;      /* their squared distances, exact */
+    fmpz *winner;      /* of each point: its squared distance to the winner */
 } race;
 
 static int bounded(const et_vec3 *points, size_t n)
@@ -23,8 +24,8 @@ static int bounded(const et_vec3 *points, size_t n)
 }
 
 /* A computed square d2 of a distance differs from the exact one by at most 5.1u d2 + 2^-1072: the differences' errors count twice, a square's and two
- * additions' once, each u, and each square may underflow by 2^-1075.  So a class whose exact square is not above that of the class computed as `d2` has
- * been computed as at most d2 (1 + 11u) + 2^-1070; here the product and the sum are rounded, too. */
+ * additions' once, each u, and each square may underflow by 2^-1075.  So a class whose exact square is not above that of the class computed as `d2`
+ * has been computed as at most d2 (1 + 11u) + 2^-1070; here the product and the sum are rounded, too. */
 static double reach(double d2)
 {
     return d2 * 0x1.0000000000010p0 + 0x1p-1068;
@@ -46,13 +47,13 @@ static double square_all(race *r, et_vec3 p)
 }
 
 /* Put candidate n, of class c + 1, among those before it, which are the two or fewer nearest; equal squares leave the lower class in front. */
-static size_t compete(race *r, size_t n, size_t c, size_t point)
+static size_t compete(race *r, size_t n, size_t c)
 {
     size_t at = n < 2 ? n : 2;
     fmpz_t one;
 
     fmpz_init(one);
-    exact_gap(r->square + at, one, r->w.H + EXACT_COMPONENTS * c, 0, r->p.H + EXACT_COMPONENTS * point, 0);
+    exact_gap(r->square + at, one, r->w.H + EXACT_COMPONENTS * c, 0, r->p, 0);
     fmpz_clear(one);
     r->candidate[at] = c;
     for (; at > 0 && fmpz_cmp(r->square + at, r->square + at - 1) < 0; at--) {
@@ -65,15 +66,17 @@ static size_t compete(race *r, size_t n, size_t c, size_t point)
 }
 
 /* The two nearest classes of a point: whoever may be among them competes in exact numbers. */
-static void nearest(race *r, const et_vec3 *cloud, size_t point)
+static void nearest(race *r, et_vec3 p)
 {
-    const double far = reach(square_all(r, cloud[point]));
+    const double far = reach(square_all(r, p));
     size_t n = 0;
 
+    exact_integer(r->p, p.x, r->w.e);
+    exact_integer(r->p + 1, p.y, r->w.e);
+    exact_integer(r->p + 2, p.z, r->w.e);
     for (size_t c = 0; c < r->nov; c++)
         if (r->d[c] <= far)
-            n = compete(r, n, c, point);
-    fmpz_set(r->winner + point, r->square);
+            n = compete(r, n, c);
 }
 
 /* The greatest and the least of the winners' squares. */
@@ -113,13 +116,14 @@ static void run(et_som_quality *quality, race *r, et_doublenet net, const et_vec
     slong e;
 
     exact_net_init(&r->w, r->weights, NULL, r->nov, 1, 1);
-    exact_net_init(&r->p, cloud, NULL, n, 1, 1);
-    e = r->w.e < r->p.e ? r->w.e : r->p.e;
+    e = r->w.e;
+    for (size_t k = 0; k < n; k++)
+        e = exact_place(exact_place(exact_place(e, cloud[k].x), cloud[k].y), cloud[k].z);
     exact_net_align(&r->w, e);
-    exact_net_align(&r->p, e);
     r->winner = _fmpz_vec_init((slong)n);
     for (size_t k = 0; k < n; k++) {
-        nearest(r, cloud, k);
+        nearest(r, cloud[k]);
+        fmpz_swap(r->winner + k, r->square);
         apart += !et_doublenet_adjacent(et_doublenet_index(net, r->candidate[0] + 1), et_doublenet_index(net, r->candidate[1] + 1));
     }
     q.qe = exact_root_sum(r->winner, NULL, n, e, n, bits);
@@ -128,7 +132,6 @@ static void run(et_som_quality *quality, race *r, et_doublenet net, const et_vec
     *quality = q;
     _fmpz_vec_clear(r->winner, (slong)n);
     exact_net_clear(&r->w);
-    exact_net_clear(&r->p);
 }
 
 et_status et_exact_quality_of(et_som_quality *quality, const et_vec3 *weights, size_t nov, et_doublenet net, const et_vec3 *cloud, size_t n,
@@ -143,10 +146,13 @@ et_status et_exact_quality_of(et_som_quality *quality, const et_vec3 *weights, s
     if (r.d == NULL)
         return ET_ENOMEM;
     r.square = _fmpz_vec_init(3);
+    r.p = _fmpz_vec_init(EXACT_COMPONENTS);
+    fmpz_one(r.p + 3);
     run(quality, &r, net, cloud, n, &prec);
     if (bits != NULL)
         *bits = prec;
     _fmpz_vec_clear(r.square, 3);
+    _fmpz_vec_clear(r.p, EXACT_COMPONENTS);
     free(r.d);
     return ET_OK;
 }

@@ -1,7 +1,7 @@
 /* exact_radical: distances between points, and their sums. */
 #include "exact/exact_radical_parts.h"
 
-enum { LEAST_BITS = 2, DOUBLINGS = 2 };   /* a tie is looked for after so many */
+enum { LEAST_BITS = 2, DOUBLINGS = 2 }; /* a tie is looked for after so many */
 
 size_t exact_first_bits(const size_t *bits)
 {

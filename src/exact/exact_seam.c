@@ -1,6 +1,6 @@
 /* exact_seam: how far two surfaces that should meet stand apart, compared exactly. */
-#include "exact/exact_radical_parts.h"
 #include "etalon/base/size.h"
+#include "exact/exact_radical_parts.h"
 #include <stdlib.h>
 
 static size_t merge(double *t, const double *a, size_t na, const double *b, size_t nb)

@@ -19,8 +19,8 @@ static inline int nearest_even(double x)
     return b % 2 == 0;
 }
 
-/* The double nearest to the number that v stands for.  Where doubles on both sides are in question it is taken to be the middle, which has an even and an
- * odd neighbour. */
+/* The double nearest to the number that v stands for.  Where doubles on both sides are in question it is taken to be the middle, which has an even
+ * and an odd neighbour. */
 static inline double nearest(const mpfr_t v)
 {
     mpfr_t end;

@@ -150,8 +150,8 @@ static void point_of(fmpq *P, et_vec3 p)
 
 /* ---- bounds of the fast way ---- */
 
-/* Error of a coordinate of a point: at most ((1-u)^-m - 1) |P|, m = 7 (p + q), for a polynomial; numerator and denominator and the quotient for a rational
- * one, (1-u)^-(2m + 3) - 1; three coordinates, for each |P| the greatest; (1-u)^-k - 1 < 1.01 k u. */
+/* Error of a coordinate of a point: at most ((1-u)^-m - 1) |P|, m = 7 (p + q), for a polynomial; numerator and denominator and the quotient for a
+ * rational one, (1-u)^-(2m + 3) - 1; three coordinates, for each |P| the greatest; (1-u)^-k - 1 < 1.01 k u. */
 static double point_bound(const et_surface *s)
 {
     double size[3] = {0, 0, 0};
@@ -171,8 +171,8 @@ static double direction(gen *g)
     return gen_upto(g, 1) ? -x : x;
 }
 
-/* Control points in 0 and data that are (3, 4, 0) or (1, 2, 2) times halved numbers: distances that are rational, their sums in the middle between two
- * doubles more often than not. */
+/* Control points in 0 and data that are (3, 4, 0) or (1, 2, 2) times halved numbers: distances that are rational, their sums in the middle between
+ * two doubles more often than not. */
 static void draw_ties(gen *g, et_fit *f, et_vec3 *data, size_t nov)
 {
     for (size_t w = 0; w < 2; w++)
@@ -180,9 +180,7 @@ static void draw_ties(gen *g, et_fit *f, et_vec3 *data, size_t nov)
             f->shell.view[w].points[k] = (et_vec3){0, 0, 0};
     for (size_t k = 0; k < nov; k++) {
         const double a = ldexp((double)gen_upto(g, 3), -(int)gen_upto(g, 1) * (50 + (int)gen_upto(g, 4)));
-        data[k] = k == 0                 ? (et_vec3){0, 1, 0}
-                  : gen_upto(g, 1) == 1 ? (et_vec3){3 * a, 0, 4 * a}
-                                        : (et_vec3){2 * a, a, 2 * a};
+        data[k] = k == 0 ? (et_vec3){0, 1, 0} : gen_upto(g, 1) == 1 ? (et_vec3){3 * a, 0, 4 * a} : (et_vec3){2 * a, a, 2 * a};
     }
 }
 
@@ -287,7 +285,8 @@ static bool near_measure(gen *g, const et_fit *f, const et_vec3 *data, const et_
     return gen_check(g, et_fit_measure(&fast, NULL, et_doublenet_nov(n), f, data) == ET_OK, "fast") &&
            gen_check(g, fabs(fast.nov - e->nov) <= all + 24 * ET_UNIT * e->nov, "nov %a, fast %a", e->nov, fast.nov) &&
            gen_check(g, fabs(fast.non - e->non) <= all + 24 * ET_UNIT * e->non, "non %a, fast %a", e->non, fast.non) &&
-           gen_check(g, fabs(fast.greatest - e->greatest) <= 1.01 * one + 6 * ET_UNIT * e->greatest, "greatest %a, fast %a", e->greatest, fast.greatest) &&
+           gen_check(g, fabs(fast.greatest - e->greatest) <= 1.01 * one + 6 * ET_UNIT * e->greatest, "greatest %a, fast %a", e->greatest,
+                     fast.greatest) &&
            gen_check(g, fabs(fast.corner - e->corner) <= 1.01 * one + 6 * ET_UNIT * e->corner, "corner %a, fast %a", e->corner, fast.corner);
 }
 
@@ -298,7 +297,8 @@ static bool measure_refuses(gen *g, et_fit *f, const et_vec3 *data)
     et_fit_error e = {1, 2, 3, 4};
     double residual[CLASSES] = {9}, *t[4] = {f->s[0], f->s[1], f->r[0], f->r[1]}, *at = t[gen_upto(g, 3)], was = *at;
     size_t bits = 7;
-    bool ok = et_exact_fit_measure(&e, residual, nov - 1, f, data, &bits) == ET_EINVAL && et_exact_fit_measure(&e, residual, nov + 1, f, data, &bits) == ET_EINVAL;
+    bool ok = et_exact_fit_measure(&e, residual, nov - 1, f, data, &bits) == ET_EINVAL &&
+              et_exact_fit_measure(&e, residual, nov + 1, f, data, &bits) == ET_EINVAL;
 
     f->data.ny = 1;
     ok = ok && et_exact_fit_measure(&e, residual, 2, f, data, &bits) == ET_EINVAL;
@@ -357,8 +357,8 @@ verdict prop_exact_fit_measure(gen *g)
 
     draw_fit(g, &f, data);
     et_fit_error e = {0, 0, 0, 0};
-    const bool ok = measure_refuses(g, &f, data) && measure_right(g, &f, data) && et_exact_fit_measure(&e, NULL, et_doublenet_nov(f.data), &f, data, NULL) == ET_OK &&
-                    near_measure(g, &f, data, &e);
+    const bool ok = measure_refuses(g, &f, data) && measure_right(g, &f, data) &&
+                    et_exact_fit_measure(&e, NULL, et_doublenet_nov(f.data), &f, data, NULL) == ET_OK && near_measure(g, &f, data, &e);
     free_fit(&f);
     return ok ? PASS : FAIL;
 }
@@ -390,8 +390,9 @@ verdict prop_exact_fit_measure_scales(gen *g)
     ok = ok && gen_check(g, et_exact_fit_measure(&far, NULL, nov, &f, data, NULL) == ET_OK, "measured far away");
     /* A subnormal is a rounded number rounded again here. */
     const double lost = k < 0 ? 0x1p-1074 : 0;
-    ok = ok && gen_check(g, fabs(far.nov - ldexp(e.nov, k)) <= lost && fabs(far.non - ldexp(e.non, k)) <= lost && fabs(far.greatest - ldexp(e.greatest, k)) <= lost &&
-                                fabs(far.corner - ldexp(e.corner, k)) <= lost,
+    ok = ok && gen_check(g,
+                         fabs(far.nov - ldexp(e.nov, k)) <= lost && fabs(far.non - ldexp(e.non, k)) <= lost &&
+                             fabs(far.greatest - ldexp(e.greatest, k)) <= lost && fabs(far.corner - ldexp(e.corner, k)) <= lost,
                          "scaled by 2^%d: %a is not %a", k, far.nov, ldexp(e.nov, k));
     free_fit(&f);
     return ok ? PASS : FAIL;
@@ -413,7 +414,8 @@ verdict prop_exact_fit_measure_overflow(gen *g)
         v->u[2] = v->u[3] = v->v[2] = v->v[3] = 1;
         v->points[0] = (et_vec3){w == 0 ? 0 : far, 0, 0};
     }
-    ok = gen_check(g, et_exact_fit_measure(&e, NULL, 4, &f, data, NULL) == ET_OK && e.nov == far && isinf(e.non) && isinf(e.greatest) && isinf(e.corner),
+    ok = gen_check(g,
+                   et_exact_fit_measure(&e, NULL, 4, &f, data, NULL) == ET_OK && e.nov == far && isinf(e.non) && isinf(e.greatest) && isinf(e.corner),
                    "%a %a %a %a", e.nov, e.non, e.greatest, e.corner);
     et_shell_free(&f.shell);
     return ok ? PASS : FAIL;
@@ -531,7 +533,8 @@ static bool seam_refuses(gen *g, et_shell *s, size_t samples)
     double *t = (in_u ? view->u : view->v) + (start ? 0 : n);
     bool ok;
 
-    ok = gen_check(g, et_exact_seam_gap(&gap, s, (size_t)-1) == ET_ENOMEM && et_exact_seam_gap(&gap, s, SIZE_MAX / 2) == ET_ENOMEM, "too many samples");
+    ok = gen_check(g, et_exact_seam_gap(&gap, s, (size_t)-1) == ET_ENOMEM && et_exact_seam_gap(&gap, s, SIZE_MAX / 2) == ET_ENOMEM,
+                   "too many samples");
     for (size_t i = 0; i <= p; i++)
         t[i] = start ? -1 : 2;
     ok = gen_check(g, et_exact_seam_gap(&gap, s, samples) == ET_EINVAL, "a domain that is not [0,1]") && ok;
@@ -559,10 +562,11 @@ verdict prop_exact_seam_gap(gen *g)
     ok = gen_check(g, et_exact_seam_gap(&gap, &s, samples) == ET_OK && et_seam_gap(&fast, &s, samples) == ET_OK, "measured");
     const et_seam expect = second_gap(&s, samples);
     const double bound = point_bound(&s.view[0]) + point_bound(&s.view[1]) + 0x1p-536;
-    ok = ok && gen_check(g, same(&gap, &expect, sizeof gap), "gap %a at (%a, %a), not %a at (%a, %a)", gap.distance, gap.u, gap.v, expect.distance, expect.u,
-                         expect.v);
+    ok = ok && gen_check(g, same(&gap, &expect, sizeof gap), "gap %a at (%a, %a), not %a at (%a, %a)", gap.distance, gap.u, gap.v, expect.distance,
+                         expect.u, expect.v);
     ok = ok && gen_check(g, kind != 0 || (gap.distance == 0 && gap.u == 0 && gap.v == 0), "a closed shell's gap %a", gap.distance);
-    ok = ok && gen_check(g, fabs(fast.distance - gap.distance) <= 1.01 * bound + 6 * ET_UNIT * gap.distance, "gap %a, fast %a", gap.distance, fast.distance);
+    ok = ok && gen_check(g, fabs(fast.distance - gap.distance) <= 1.01 * bound + 6 * ET_UNIT * gap.distance, "gap %a, fast %a", gap.distance,
+                         fast.distance);
     ok = ok && seam_refuses(g, &s, samples);
     et_shell_free(&s);
     return ok ? PASS : FAIL;
@@ -685,8 +689,8 @@ static bool same_quality(gen *g, const et_som_quality *q, const et_som_quality *
 {
     return gen_check(g, same(&q->qe, &want->qe, sizeof q->qe), "qe %a, not %a", q->qe, want->qe) &&
            gen_check(g, same(&q->te, &want->te, sizeof q->te) && q->steps == want->steps, "te %a, not %a", q->te, want->te) &&
-           gen_check(g, same(&q->min_error, &want->min_error, sizeof q->qe) && same(&q->max_error, &want->max_error, sizeof q->qe), "from %a to %a, not %a to %a",
-                     q->min_error, q->max_error, want->min_error, want->max_error);
+           gen_check(g, same(&q->min_error, &want->min_error, sizeof q->qe) && same(&q->max_error, &want->max_error, sizeof q->qe),
+                     "from %a to %a, not %a to %a", q->min_error, q->max_error, want->min_error, want->max_error);
 }
 
 /* Distances within 3.5u, where squares vanish 2^-535; the mean of few within 18u more; 1u for this one's own rounding. */
@@ -696,8 +700,10 @@ static bool near_quality(gen *g, const job *j, const et_som_quality *q)
 
     return gen_check(g, et_quality_of(&fast, j->weights, j->nov, j->net, j->cloud, j->n) == ET_OK, "fast") &&
            gen_check(g, fabs(fast.qe - q->qe) <= 24 * ET_UNIT * q->qe + 0x1p-535, "qe %a, fast %a", q->qe, fast.qe) &&
-           gen_check(g, fabs(fast.min_error - q->min_error) <= 6 * ET_UNIT * q->min_error + 0x1p-535, "least %a, fast %a", q->min_error, fast.min_error) &&
-           gen_check(g, fabs(fast.max_error - q->max_error) <= 6 * ET_UNIT * q->max_error + 0x1p-535, "greatest %a, fast %a", q->max_error, fast.max_error);
+           gen_check(g, fabs(fast.min_error - q->min_error) <= 6 * ET_UNIT * q->min_error + 0x1p-535, "least %a, fast %a", q->min_error,
+                     fast.min_error) &&
+           gen_check(g, fabs(fast.max_error - q->max_error) <= 6 * ET_UNIT * q->max_error + 0x1p-535, "greatest %a, fast %a", q->max_error,
+                     fast.max_error);
 }
 
 verdict prop_exact_quality_of(gen *g)
@@ -720,8 +726,9 @@ verdict prop_exact_quality_of(gen *g)
         if (!gen_check(g, et_exact_quality_of(&again, j.weights, j.nov, j.net, j.cloud, j.n, start + k) == ET_OK, "from other bits on") ||
             !same_quality(g, &again, &q) || !gen_check(g, k == 1 || start[0] >= 4 * bits, "%zu bits", start[0]))
             return FAIL;
-    return gen_check(g, et_exact_quality_of(&again, j.weights, j.nov, j.net, j.cloud, j.n, NULL) == ET_OK, "no bits") && same_quality(g, &again, &q) ? PASS
-                                                                                                                                                     : FAIL;
+    return gen_check(g, et_exact_quality_of(&again, j.weights, j.nov, j.net, j.cloud, j.n, NULL) == ET_OK, "no bits") && same_quality(g, &again, &q)
+               ? PASS
+               : FAIL;
 }
 
 /* The double nearest to (whole + m/2^52 + a little) / n, n a power of 2. */
@@ -737,8 +744,8 @@ static double mean_by_hand(uint64_t whole, uint64_t m, bool more, size_t n, int 
     return ldexp((double)(digits + (rest > unit || (rest == unit && (more || digits % 2 == 1)))) * (double)unit, scale - 52) / (double)n;
 }
 
-/* A mean in the middle between two doubles, or as good as there: distances m/2^52 and some of 1 and 3, each d greater or less in turn, so that d goes out;
- * or one of them a little greater and irrational. */
+/* A mean in the middle between two doubles, or as good as there: distances m/2^52 and some of 1 and 3, each d greater or less in turn, so that d goes
+ * out; or one of them a little greater and irrational. */
 verdict prop_exact_quality_of_ties(gen *g)
 {
     const size_t n = (size_t)1 << gen_between(g, 1, 3), ones = gen_between(g, 1, n - 1), off = gen_upto(g, n - 1);
@@ -759,7 +766,8 @@ verdict prop_exact_quality_of_ties(gen *g)
     gen_label(g, tie ? "tie" : "no tie");
     if (!gen_check(g, et_exact_quality_of(&q, weights, 4, (et_doublenet){2, 2}, cloud, n, &bits) == ET_OK, "computed"))
         return FAIL;
-    return gen_check(g, q.qe == expect && bits < 8192, "%llu of %zu: mean %a, not %a; %zu bits", (unsigned long long)m, n, q.qe, expect, bits) ? PASS : FAIL;
+    return gen_check(g, q.qe == expect && bits < 8192, "%llu of %zu: mean %a, not %a; %zu bits", (unsigned long long)m, n, q.qe, expect, bits) ? PASS
+                                                                                                                                               : FAIL;
 }
 
 verdict prop_exact_quality_of_refuses(gen *g)
@@ -783,7 +791,8 @@ verdict prop_exact_quality_of_refuses(gen *g)
         (&j.cloud[0].x)[gen_upto(g, 3 * j.n - 1)] = bad[gen_upto(g, 4)];
     if (!gen_check(g, et_exact_quality_of(&q, j.weights, j.nov, j.net, j.cloud, j.n, &bits) == ET_EINVAL, "refused"))
         return FAIL;
-    return gen_check(g, q.qe == 1 && q.te == 2 && q.min_error == 3 && q.max_error == 4 && q.steps == 5 && bits == 7, "quality as before") ? PASS : FAIL;
+    return gen_check(g, q.qe == 1 && q.te == 2 && q.min_error == 3 && q.max_error == 4 && q.steps == 5 && bits == 7, "quality as before") ? PASS
+                                                                                                                                          : FAIL;
 }
 
 /* ---- the rows of the fast functions ---- */
@@ -797,7 +806,8 @@ static et_vec3 *points_of(const row *r, size_t first, size_t n)
     return D;
 }
 
-/* Rows: approach method knots algebra corners p q nx ny cx cy, data by class; wanted: nov, non, greatest, corner, of the control points as rounded. */
+/* Rows: approach method knots algebra corners p q nx ny cx cy, data by class; wanted: nov, non, greatest, corner, of the control points as rounded.
+ */
 verdict true_fit_measure(const row *r)
 {
     const et_doublenet net = {row_size(r, 7), row_size(r, 8)};
@@ -818,8 +828,8 @@ verdict true_fit_measure(const row *r)
         free(data);
         return FAIL;
     }
-    const bool ok = et_exact_fit_measure(&e, NULL, nov, &f, data, NULL) == ET_OK && row_is(r, 0, e.nov) && row_is(r, 1, e.non) && row_is(r, 2, e.greatest) &&
-                    row_is(r, 3, e.corner);
+    const bool ok = et_exact_fit_measure(&e, NULL, nov, &f, data, NULL) == ET_OK && row_is(r, 0, e.nov) && row_is(r, 1, e.non) &&
+                    row_is(r, 2, e.greatest) && row_is(r, 3, e.corner);
     et_fit_free(&f);
     free(data);
     return ok ? PASS : FAIL;

@@ -123,15 +123,20 @@ static bool precise(gen *g, const double *t, size_t n, const et_vec3 *D, size_t 
     for (size_t k = 0; k < 3; k++) {
         const size_t asked = start[k];
         if (!gen_check(g, et_exact_param_row(s, n, &flat, D, stride, method, start + k) == ET_OK && same(s, t, n), "from %zu bits on", asked) ||
-            !gen_check(g, used == 0 ? start[k] == 0 : start[k] >= (k == 0 ? asked : k == 1 ? 2 : used), "%zu bits", start[k]))
+            !gen_check(g,
+                       used == 0 ? start[k] == 0
+                                 : start[k] >= (k == 0   ? asked
+                                                : k == 1 ? 2
+                                                         : used),
+                       "%zu bits", start[k]))
             return false;
     }
     return gen_check(g, et_exact_param_row(s, n, &flat, D, stride, method, NULL) == ET_OK && same(s, t, n), "bits not asked for");
 }
 
-/* A chord of et_param_row is within 2.5u of itself, and within 2^-537 where squares underflow, of a longest one of at least 1/2; half of the first and the
- * root of the second for its square root; for its power 4/5 2u, 1u for the power itself, and for the rounded 0.8, 2^-54.4 off, |ln d| < 373 times that,
- * 142u.  Twice that for a quotient of sums, and their own (2n + 6) u. */
+/* A chord of et_param_row is within 2.5u of itself, and within 2^-537 where squares underflow, of a longest one of at least 1/2; half of the first
+ * and the root of the second for its square root; for its power 4/5 2u, 1u for the power itself, and for the rounded 0.8, 2^-54.4 off, |ln d| < 373
+ * times that, 142u.  Twice that for a quotient of sums, and their own (2n + 6) u. */
 static double fast_bound(size_t n, et_param_method method, double t)
 {
     const double roundings = 2 * (double)n + 6 + (method == ET_PARAM_EXPONENTIAL ? 290 : 0);
@@ -159,7 +164,8 @@ verdict prop_exact_param_row(gen *g)
         wide[i * stride] = D[i];
     t[0] = t[n] = 7;
     if (!gen_check(g,
-                   et_exact_param_row(t, 1, &told, D, 1, method, &bits) == ET_EINVAL && et_exact_param_row(t, 0, &told, D, 1, method, &bits) == ET_EINVAL &&
+                   et_exact_param_row(t, 1, &told, D, 1, method, &bits) == ET_EINVAL &&
+                       et_exact_param_row(t, 0, &told, D, 1, method, &bits) == ET_EINVAL &&
                        et_exact_param_row(t, n, &told, D, 0, method, &bits) == ET_EINVAL &&
                        et_exact_param_row(t, n, &told, D, 1, (et_param_method)4, &bits) == ET_EINVAL && told == 7 && t[0] == 7 && bits % 64 == 0,
                    "bad arguments"))
@@ -207,8 +213,8 @@ static size_t tie_of_chords(et_vec3 *D, gen *g, uint64_t m, int scale)
     return 4;
 }
 
-/* Roots of lengths 2^53, m, and 2^53 - m in three pieces of 26 digits: along each axis from a length to 0 and from 0 to another.  An odd scale makes all
- * of them irrational. */
+/* Roots of lengths 2^53, m, and 2^53 - m in three pieces of 26 digits: along each axis from a length to 0 and from 0 to another.  An odd scale makes
+ * all of them irrational. */
 static size_t tie_of_roots(et_vec3 *D, uint64_t m, int scale)
 {
     const uint64_t rest = (UINT64_C(1) << 53) - m, last = UINT64_C(1) << 27;
@@ -305,8 +311,13 @@ static bool grid_precise(gen *g, const double *s, size_t nx, const double *r, si
     size_t start[3] = {4 * used, 3, 1000}, flat;
 
     for (size_t k = 0; k < 3; k++)
-        if (!gen_check(g, et_exact_param_grid(a, nx, b, ny, &flat, D, method, start + k) == ET_OK && same(a, s, nx) && same(b, r, ny), "start %zu", k) ||
-            !gen_check(g, used == 0 ? start[k] == 0 : k == 0 ? start[k] >= 4 * used : start[k] > 0, "%zu bits", start[k]))
+        if (!gen_check(g, et_exact_param_grid(a, nx, b, ny, &flat, D, method, start + k) == ET_OK && same(a, s, nx) && same(b, r, ny), "start %zu",
+                       k) ||
+            !gen_check(g,
+                       used == 0 ? start[k] == 0
+                       : k == 0  ? start[k] >= 4 * used
+                                 : start[k] > 0,
+                       "%zu bits", start[k]))
             return false;
     return gen_check(g, et_exact_param_grid(a, nx, b, ny, &flat, D, method, NULL) == ET_OK && same(a, s, nx) && same(b, r, ny), "no bits");
 }
@@ -321,9 +332,11 @@ verdict prop_exact_param_grid(gen *g)
 
     draw_grid(g, D, nx, ny);
     if (!gen_check(g,
-                   et_exact_param_grid(s, 1, r, ny, &flat, D, method, &bits) == ET_EINVAL && et_exact_param_grid(s, nx, r, 1, &flat, D, method, &bits) == ET_EINVAL &&
+                   et_exact_param_grid(s, 1, r, ny, &flat, D, method, &bits) == ET_EINVAL &&
+                       et_exact_param_grid(s, nx, r, 1, &flat, D, method, &bits) == ET_EINVAL &&
                        et_exact_param_grid(s, nx, r, ny, &flat, D, (et_param_method)4, &bits) == ET_EINVAL &&
-                       et_exact_param_grid(s, SIZE_MAX / 2, r, 3, &flat, D, method, &bits) == ET_ENOMEM && flat == 77 && s[0] == 9 && r[0] == 9 && bits == 5,
+                       et_exact_param_grid(s, SIZE_MAX / 2, r, 3, &flat, D, method, &bits) == ET_ENOMEM && flat == 77 && s[0] == 9 && r[0] == 9 &&
+                       bits == 5,
                    "bad arguments"))
         return FAIL;
     bits = 0;
@@ -345,8 +358,8 @@ static void put_line(et_vec3 *D, const et_vec3 *line, size_t n, size_t ny, size_
         D[transposed ? j * n + i : i * ny + j] = line[i];
 }
 
-/* Means in the middle between two doubles of parameters that are not rational: lines of chords a, c sqrt(2) and, three times as long, c sqrt(2), a have
- * parameters that add up to 1; with m/2^53 and 0 of two more the mean is (1 + m/2^53)/4. */
+/* Means in the middle between two doubles of parameters that are not rational: lines of chords a, c sqrt(2) and, three times as long, c sqrt(2), a
+ * have parameters that add up to 1; with m/2^53 and 0 of two more the mean is (1 + m/2^53)/4. */
 verdict prop_exact_param_grid_ties(gen *g)
 {
     const double a = (double)gen_between(g, 1, 9), c = (double)gen_between(g, 1, 9);
@@ -369,8 +382,8 @@ verdict prop_exact_param_grid_ties(gen *g)
     if (!gen_check(g, et_exact_param_grid(s, transposed ? 4 : 3, r, transposed ? 3 : 4, &flat, D, ET_PARAM_CHORD, &bits) == ET_OK, "made"))
         return FAIL;
     const double mean = transposed ? r[1] : s[1];
-    return gen_check(g, mean == middle(m) / 2 && flat == 0 && bits >= 512 && bits < 4096, "%llu: mean %a, not %a; %zu bits", (unsigned long long)m, mean,
-                     middle(m) / 2, bits)
+    return gen_check(g, mean == middle(m) / 2 && flat == 0 && bits >= 512 && bits < 4096, "%llu: mean %a, not %a; %zu bits", (unsigned long long)m,
+                     mean, middle(m) / 2, bits)
                ? PASS
                : FAIL;
 }
@@ -380,8 +393,8 @@ static et_vec3 beyond(et_vec3 p, et_vec3 d, double k)
     return (et_vec3){p.x + k * d.x, p.y + k * d.y, p.z + k * d.z};
 }
 
-/* The same with chords of four kinds, of sizes in no order, and the kinds in another order in each line: a, c sqrt(2) | d sqrt(3), e sqrt(6) and d, e | a, c,
- * the pairs turned or not; the parameters in the middle add up to 1. */
+/* The same with chords of four kinds, of sizes in no order, and the kinds in another order in each line: a, c sqrt(2) | d sqrt(3), e sqrt(6) and d, e
+ * | a, c, the pairs turned or not; the parameters in the middle add up to 1. */
 verdict prop_exact_param_grid_ties_of_kinds(gen *g)
 {
     et_vec3 kind[4] = {{(double)gen_between(g, 1, 9), 0, 0}, {1, 1, 0}, {1, 1, 1}, {2, 1, -1}}, D[20], line[5];
@@ -411,14 +424,14 @@ verdict prop_exact_param_grid_ties_of_kinds(gen *g)
     if (!gen_check(g, et_exact_param_grid(s, transposed ? 4 : 5, r, transposed ? 5 : 4, &flat, D, ET_PARAM_CHORD, &bits) == ET_OK, "made"))
         return FAIL;
     const double mean = transposed ? r[2] : s[2];
-    return gen_check(g, mean == middle(m) / 2 && bits >= 512 && bits < 4096, "%llu: mean %a, not %a; %zu bits", (unsigned long long)m, mean, middle(m) / 2,
-                     bits)
+    return gen_check(g, mean == middle(m) / 2 && bits >= 512 && bits < 4096, "%llu: mean %a, not %a; %zu bits", (unsigned long long)m, mean,
+                     middle(m) / 2, bits)
                ? PASS
                : FAIL;
 }
 
-/* Chords 3, 4, 7 sqrt(2) and 3, sqrt(2), 0: parameters 3/(7 + 7 sqrt(2)) and 3/(3 + sqrt(2)), which add up to 6/7 although no line is a multiple of the other
- * or of its reverse.  With (2^53 + 7)/(7 2^53) and 0 the mean is 1/4 + 2^-55, and that is not found out. */
+/* Chords 3, 4, 7 sqrt(2) and 3, sqrt(2), 0: parameters 3/(7 + 7 sqrt(2)) and 3/(3 + sqrt(2)), which add up to 6/7 although no line is a multiple of
+ * the other or of its reverse.  With (2^53 + 7)/(7 2^53) and 0 the mean is 1/4 + 2^-55, and that is not found out. */
 verdict prop_exact_param_grid_undecided(gen *g)
 {
     static const et_vec3 line[4][4] = {{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}, {3, -3, 7}},
@@ -440,7 +453,8 @@ verdict prop_exact_param_grid_undecided(gen *g)
     for (size_t i = 0; i < 16; i++)
         D[i] = scaled(D[i], scale);
     return gen_check(g,
-                     et_exact_param_grid(s, 4, r, 4, &flat, D, ET_PARAM_CHORD, &bits) == ET_ENOCONV && flat == 77 && bits == before && s[1] == 9 && r[1] == 9,
+                     et_exact_param_grid(s, 4, r, 4, &flat, D, ET_PARAM_CHORD, &bits) == ET_ENOCONV && flat == 77 && bits == before && s[1] == 9 &&
+                         r[1] == 9,
                      "decided: %a, %a", s[1], r[1])
                ? PASS
                : FAIL;
@@ -548,7 +562,7 @@ verdict prop_exact_knotrule_make(gen *g)
 {
     const size_t p = gen_between(g, 1, P_MOST), control = gen_between(g, p + 1, CONTROL), nu = control + p + 1, spans = control - p;
     const et_knotrule_kind kind = (et_knotrule_kind)gen_upto(g, 3);
-    const size_t nt = kind == ET_KNOTRULE_AVERAGING                       ? control
+    const size_t nt = kind == ET_KNOTRULE_AVERAGING                        ? control
                       : kind == ET_KNOTRULE_UNIFORM && gen_upto(g, 3) == 0 ? 2
                                                                            : gen_between(g, control, PARAMETERS);
     double t[PARAMETERS], u[KNOTS + 1], v[KNOTS + 1];
