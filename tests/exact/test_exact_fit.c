@@ -74,7 +74,8 @@ static void draw_frame(gen *g, problem *c)
     const et_doublenet net = {gen_between(g, 2, SIDE), gen_between(g, 2, SIDE)};
     const size_t few = gen_chance(g, 16) ? 1 : 0; /* now and then more control points than data */
     const et_doublenet control = {gen_between(g, 2, few ? SIDE : net.nx), gen_between(g, 2, few ? SIDE : net.ny)};
-    const size_t p = gen_between(g, 1, control.nx > DEGREE ? DEGREE : control.nx - 1), q = gen_between(g, 1, control.ny > DEGREE ? DEGREE : control.ny - 1);
+    const size_t p = gen_between(g, 1, control.nx > DEGREE ? DEGREE : control.nx - 1),
+                 q = gen_between(g, 1, control.ny > DEGREE ? DEGREE : control.ny - 1);
 
     store(c, net, control, p, q);
     c->options = et_fit_defaults();
@@ -173,7 +174,7 @@ static size_t rank_of(const fmpq_mat_t A)
 
 typedef struct {
     size_t views, columns, number[2][NODES];
-    fmpq_mat_t X;                         /* columns x 3 */
+    fmpq_mat_t X; /* columns x 3 */
 } dense;
 
 static bool at_border(et_doublenet n, size_t at)
@@ -418,7 +419,7 @@ static bool equals(gen *g, const problem *c, const judgement *is, const char *wh
         for (size_t at = 0; at < k.nx * k.ny; at++)
             for (size_t e = 0; e < 3; e++)
                 ok = gen_check(g, memcmp(&(&c->P[w][at].x)[e], &is->P[w][at][e], sizeof(double)) == 0, "%s: view %zu (%zu,%zu) %c: %a, should be %a",
-                               what, w, at / k.ny, at % k.ny, "xyz"[e], (&c->P[w][at].x)[e], is->P[w][at][e]) &&
+                               what, w, at / k.ny, at % k.ny, "xyz"[e], (&c->P[w][at].x)[e], is -> P[w][at][e]) &&
                      ok;
     return ok;
 }
@@ -485,7 +486,8 @@ verdict prop_exact_fit_solve_ends(gen *g)
 {
     problem c = {.nov = 0};
     const bool across = gen_chance(g, 2);
-    const size_t m = gen_between(g, 3, SIDE), n = gen_between(g, 2, 4), control = gen_between(g, 3, m), p = gen_between(g, 1, control - 2 < DEGREE ? control - 2 : DEGREE);
+    const size_t m = gen_between(g, 3, SIDE), n = gen_between(g, 2, 4), control = gen_between(g, 3, m),
+                 p = gen_between(g, 1, control - 2 < DEGREE ? control - 2 : DEGREE);
     double *t = across ? c.r[0] : c.s[0], *u = across ? c.v[0] : c.u[0], *x = across ? c.s[0] : c.r[0], *y = across ? c.u[0] : c.v[0];
 
     store(&c, across ? (et_doublenet){n, m} : (et_doublenet){m, n}, across ? (et_doublenet){2, control} : (et_doublenet){control, 2}, across ? 1 : p,
