@@ -189,17 +189,20 @@ static double draw_log(gen *g)
 {
     double x;
 
-    switch (gen_upto(g, 4)) {
+    switch (gen_upto(g, 5)) {
     case 0:
         x = 1 + draw_sized(g, -53, -1);
         break;
-    case 1:
+    case 1: /* where the error is greatest */
+        x = gen_real(g, 1.0072, 1.0078125);
+        break;
+    case 2:
         x = gen_real(g, 0, 30);
         break;
-    case 2: /* where the table's index changes */
+    case 3: /* where the table's index changes */
         x = draw_beside(g, 0.6875 + (double)gen_upto(g, 176) / 256);
         break;
-    case 3:
+    case 4:
         x = fabs(draw_any(g));
         break;
     default:
@@ -385,12 +388,15 @@ verdict prop_real_exp_mpfr(gen *g)
     return ok && agrees(g, "MPFR", f[which], got, x, y) ? PASS : FAIL;
 }
 
-/* What no first phase decides, and what is yet right: exact midpoints, and powers so flat that they stay near one. */
+/* What no first phase decides, and what is yet right: exact midpoints, powers so flat that they stay near one, and large powers
+ * where the logarithm's error alone, times the exponent, reaches beyond one. */
 verdict prop_real_pow_last(gen *g)
 {
-    static const double base[] = {3, 94906267, 7, 9, 81, 0x1.000000043b13bp+0, 0x1.fffff1d0f8aacp-1, 0x1.03a98d4da7e09p+0};
-    static const double exponent[] = {34, 2, 19, 17, 8.5, 0x1.4cccccccccccdp-20, -0x1.b333333333333p-18, 0x1.199999999999ap-16};
-    const size_t i = gen_upto(g, 7);
+    static const double base[] = {3, 94906267, 7, 9, 81, 0x1.000000043b13bp+0, 0x1.fffff1d0f8aacp-1, 0x1.03a98d4da7e09p+0, 0x1.01e08232ac264p+0,
+                                  0x1.01efc19db3299p+0, 0x1.01fe4140e1a9cp+0};
+    static const double exponent[] = {34, 2, 19, 17, 8.5, 0x1.4cccccccccccdp-20, -0x1.b333333333333p-18, 0x1.199999999999ap-16,
+                                      0x1.62ee03bdd0417p+16, 0x1.6490b09d5ea04p+16, -0x1.5c3a489013757p+16};
+    const size_t i = gen_upto(g, 10);
     const et_dd w = dd_mul_double(real_log_fast(base[i]), exponent[i]);
     double r;
     int scale;
