@@ -572,6 +572,15 @@ verdict prop_exact_seam_gap(gen *g)
     return ok ? PASS : FAIL;
 }
 
+/* Knots beyond the domain [0,1], for n control points. */
+static void free_ends(gen *g, double *u, size_t n, size_t p)
+{
+    for (size_t i = 0; i < p; i++) {
+        u[i] = -gen_real(g, 0, 1) - (double)(p - i);
+        u[n + p - i] = 1 + (double)(p - i);
+    }
+}
+
 /* Knots not clamped: what matters is the domain. */
 verdict prop_exact_seam_gap_free_ends(gen *g)
 {
@@ -582,10 +591,8 @@ verdict prop_exact_seam_gap_free_ends(gen *g)
     draw_shell(g, &s, false);
     for (size_t w = 0; w < 2; w++) {
         et_surface *v = &s.view[w];
-        for (size_t i = 0; i < v->p; i++) {
-            v->u[i] = -gen_real(g, 0, 1) - (double)(v->p - i);
-            v->u[v->nu + v->p - i] = 1 + (double)(v->p - i);
-        }
+        free_ends(g, v->u, v->nu, v->p);
+        free_ends(g, v->v, v->nv, v->q);
     }
     const bool ok = gen_check(g, et_exact_seam_gap(&gap, &s, samples) == ET_OK, "measured");
     const et_seam expect = second_gap(&s, samples);
