@@ -10,7 +10,8 @@
 
 int et_curve_valid(const et_curve *c)
 {
-    if (!c->u || !c->points || c->p > SIZE_MAX - c->n || c->n + c->p == SIZE_MAX || !et_knots_valid(c->u, c->n + c->p + 1, c->p)) {
+    /* A number of knots that wraps is less than 2p + 2, so not valid. */
+    if (!c->u || !c->points || !et_knots_valid(c->u, c->n + c->p + 1, c->p)) {
         return 0;
     }
     for (size_t i = 0; c->weights && i < c->n; i++) {
@@ -26,9 +27,7 @@ et_status et_curve_new(et_curve *c, size_t p, size_t n, int rational)
     if (n == 0 || n - 1 < p) {
         return ET_EINVAL;
     }
-    if (p > SIZE_MAX - n || n + p == SIZE_MAX) {
-        return ET_ENOMEM;
-    }
+    /* Where n + p + 1 wraps, n is beyond SIZE_MAX/2, and so many points cannot be had. */
     et_curve t = {p, n, et_size_array(n + p + 1, sizeof(double)), et_size_array(n, sizeof(et_vec3)),
                   rational ? et_size_array(n, sizeof(double)) : NULL};
     if (!t.u || !t.points || (rational && !t.weights)) {
@@ -60,7 +59,7 @@ static size_t lesser(size_t a, size_t b)
 size_t et_curve_work(const et_curve *c, size_t d)
 {
     size_t rows, basis = et_basis_work(c->p, 1);
-    if (basis == SIZE_MAX || d > SIZE_MAX / 4 || et_size_mul(&rows, lesser(d, c->p) + 1, c->p + 1) != ET_OK) {
+    if (d > SIZE_MAX / 4 || et_size_mul(&rows, lesser(d, c->p) + 1, c->p + 1) != ET_OK) {
         return SIZE_MAX;
     }
     size_t sums = rows > SIZE_MAX - basis ? SIZE_MAX : rows + basis;

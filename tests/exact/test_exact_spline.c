@@ -234,6 +234,15 @@ verdict prop_exact_basis_ders(gen *g)
     et_exact_basis_eval(N, b.u, b.nu, b.p, b.span, b.x);
     ok = ok && gen_check(g, memcmp(N, D, w * sizeof *N) == 0, "row 0 is not that of eval");
     et_basis_ders(F, d, b.u, b.nu, b.p, b.span, b.x, work, et_basis_work(b.p, 1));
+    fmpq *E = _fmpq_vec_init((slong)((d + 1) * w));
+    for (size_t k = 0; k < (d + 1) * w; k++) {                  /* what stood there before does not matter */
+        fmpq_one(E + k);
+    }
+    exact_basis(E, d, b.u, b.nu, b.p, b.span, b.x);
+    for (size_t k = 0; ok && k < (d + 1) * w; k++) {
+        ok = gen_check(g, ref_same(exact_round(E + k), D[k]), "number %zu depends on what stood there", k);
+    }
+    _fmpq_vec_clear(E, (slong)((d + 1) * w));
     for (size_t k = 0; ok && k <= d; k++) {
         magnitudes(M, b.u, b.nu, b.p, b.span, b.x, k);
         for (size_t r = 0; ok && r <= b.p; r++) {

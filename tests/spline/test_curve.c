@@ -198,6 +198,12 @@ verdict prop_curve_work(gen *g)
     wide.p = (size_t)1 << (4 * sizeof(size_t));
     ok = ok && gen_check(g, et_curve_work(&wide, 1) == SIZE_MAX, "a degree beyond all sizes");
     ok = ok && gen_check(g, et_curve_work(&c, SIZE_MAX - d) == SIZE_MAX && et_curve_work(&c, SIZE_MAX / 2) == SIZE_MAX, "an order beyond all sizes");
+    size_t half = (size_t)1 << (4 * sizeof(size_t) - 2);
+    wide.p = 3 * half;                         /* two squares of 3/4 the root of all sizes */
+    ok = ok && gen_check(g, et_curve_work(&wide, wide.p) == SIZE_MAX, "a sum beyond all sizes");
+    wide.p = half / 25 * 67;                   /* nine tenths of all sizes, and a fifth of them twice */
+    ok = ok && gen_check(g, et_curve_work(&wide, 0) == (wide.p + 1) + (wide.p + 1) * (wide.p + 5) + 2, "degree %zu", wide.p);
+    ok = ok && gen_check(g, et_curve_work(&wide, SIZE_MAX / 5) == SIZE_MAX, "a sum beyond all sizes with the order's share");
     free(work);
     et_curve_free(&c);
     return ok ? PASS : FAIL;

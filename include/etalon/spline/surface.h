@@ -114,7 +114,8 @@ size_t et_surface_work(const et_surface *s);
 et_vec3 et_surface_point(const et_surface *s, double u, double v, double *work, size_t nwork);
 
 /* D[0] = S, D[1] = S_u, D[2] = S_v, D[3] = S_uu, D[4] = S_uv, D[5] = S_vv (A3.6, A4.4, Eq. 4.20).  D[0] has the bits of et_surface_point;
- * at inner knots the derivatives are those from the right (et_basis_ders). */
+ * at inner knots the derivatives are those from the right (et_basis_ders).  They satisfy Leibniz' rule for w S = A as a curve's do (et_curve_ders),
+ * with ((1-u)^-m - 1), m = 7(p+q) + 12, times the magnitudes of the rule's terms. */
 /*@ requires s:      \valid_read(s) && et_surface_ok(s);
     requires D:      \valid(D + (0 .. 5));
     requires finite: \is_finite(u) && \is_finite(v);
