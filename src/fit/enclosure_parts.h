@@ -10,9 +10,10 @@
 /* u^2. */
 #define ENCLOSURE_UNIT2 0x1p-106
 
-/* Weighted least squares: the least sum of weight[i] (d_i - (A x)_i)^2.  Row i of A has the entries a[i*width + k] >= 0 in the columns at[i*width + k];
- * each is within relative |a| + ENCLOSURE_TINY of the exact matrix's.
- * Once verified: T (upper triangular) is about the inverse of R in A = Q R, C >= |A T| entry by entry, and |(T'A'W A T)^-1| v <= v + defect max(v). */
+/* Weighted least squares: the least sum of weight[i] (d_i - (A x)_i)^2.  Row i of A has the entries a[i*width + k] >= 0 in the columns
+ * at[i*width + k]; each is within relative |a| + ENCLOSURE_TINY of the exact matrix's.
+ * Once verified: T (upper triangular) is about the inverse of R in A = Q R, C >= |A T| entry by entry, and
+ * |(T'A'W A T)^-1| v <= v + defect max(v) for v >= 0. */
 typedef struct {
     size_t rows, columns, width;
     size_t tall;      /* most entries in a column */
@@ -24,7 +25,7 @@ typedef struct {
     double *T, *C;    /* columns x columns, rows x columns */
     double defect;
     double norm, inverse; /* about the greatest singular value and the reciprocal of the least, in unknowns that are not shared */
-    et_dd *r, *g;     /* room for a column: rows, columns */
+    et_dd *r, *g, *z; /* room for a column: rows, columns, columns */
     double *work;     /* 3 (rows + columns) */
 } enclosure_system;
 

@@ -27,15 +27,17 @@ static void gradient(enclosure_system *s)
     }
 }
 
-/* z = fl(T'g). */
-static void to_orthonormal(double *z, const enclosure_system *s)
+/* z = T'g, summed in double-double and rounded: rounded on the way, cancellation would cost the condition number once more. */
+static void to_orthonormal(double *z, enclosure_system *s)
 {
     const size_t n = s->columns;
 
-    memset(z, 0, n * sizeof *z);
+    memset(s->z, 0, n * sizeof *s->z);
     for (size_t i = 0; i < n; i++)
         for (size_t j = i; j < n; j++)
-            z[j] += s->T[i * n + j] * s->g[i].hi;
+            s->z[j] = et_dd_add(s->z[j], et_dd_mul((et_dd){s->T[i * n + j], 0}, s->g[i]));
+    for (size_t j = 0; j < n; j++)
+        z[j] = s->z[j].hi;
 }
 
 /* e = fl(T z); returns the greatest |e_i|, NaN if one is. */
@@ -105,19 +107,19 @@ static void gradient_error(double *v, const enclosure_system *s)
 }
 
 /* The exact error is e = T (B'W B)^-1 B'W (d - A x), and B'W (d - A x) = T'(A'W r) + B'W (d - A x - r) is at most, component by component,
- *   |z| + |T|'((n + 4) u |g| + v) + C'W q,
- * the products with T having n roundings and g.lo being left out of z.  Then |e| <= |T| (zeta + defect max zeta).  The last factor covers the
- * roundings of these sums of terms >= 0. */
+ *   |z| + |T|'(c u^2 |g| + v) + C'W q,      c = 4 (n + 1) + 8,
+ * each component of T'g being a sum of at most n products (7 u^2 each, and 3 u^2 + 13 u^3 a sum).  Then |e| <= |T| (zeta + defect max zeta).
+ * The last factor covers the roundings of these sums of terms >= 0, of z and of g to their upper parts. */
 static void bound(double *radius, enclosure_system *s, double *zeta, const double *q, const double *v)
 {
     const size_t n = s->columns, m = s->rows;
-    const double u = ((double)n + 4) * 0x1p-53, inflate = 1 + ((double)(m + 2 * n) + 16) * 0x1p-51;
+    const double c = (4 * ((double)n + 1) + 8) * ENCLOSURE_UNIT2, inflate = 1 + ((double)(m + 2 * n) + 16) * 0x1p-51;
     double most = 0, sum;
 
     for (size_t j = 0; j < n; j++)
         zeta[j] = fabs(zeta[j]) + ENCLOSURE_TINY;
     for (size_t i = 0; i < n; i++) {
-        const double x = u * fabs(s->g[i].hi) + v[i];
+        const double x = c * fabs(s->g[i].hi) + v[i];
         for (size_t j = i; j < n; j++)
             zeta[j] += fabs(s->T[i * n + j]) * x;
     }

@@ -83,6 +83,7 @@ void enclosure_system_free(enclosure_system *s)
     free(s->C);
     free(s->r);
     free(s->g);
+    free(s->z);
     free(s->work);
     memset(s, 0, sizeof *s);
 }
@@ -103,9 +104,10 @@ static et_status system_new(enclosure_system *s, size_t rows, size_t columns, si
     s->share = et_size_array(columns, sizeof *s->share);
     s->r = et_size_array(rows, sizeof *s->r);
     s->g = et_size_array(columns, sizeof *s->g);
+    s->z = et_size_array(columns, sizeof *s->z);
     if (rows <= SIZE_MAX - columns)
         s->work = et_size_array(rows + columns, 3 * sizeof *s->work);
-    if (s->at == NULL || s->a == NULL || s->weight == NULL || s->share == NULL || s->r == NULL || s->g == NULL || s->work == NULL) {
+    if (s->at == NULL || s->a == NULL || s->weight == NULL || s->share == NULL || s->r == NULL || s->g == NULL || s->z == NULL || s->work == NULL) {
         enclosure_system_free(s);
         return ET_ENOMEM;
     }

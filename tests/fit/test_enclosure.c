@@ -1063,7 +1063,8 @@ verdict gold_enclosure_refine(const row *r)
     o.q = row_size(r, 3);
     o.control = (et_doublenet){row_size(r, 6), row_size(r, 7)};
     memset(data, 0, sizeof data);
-    if (et_doublenet_nov(n) > sizeof data / sizeof *data || et_fit_parameters(&f, data, et_doublenet_nov(n), n, o.approach, ET_PARAM_UNIFORM) != ET_OK)
+    if (et_doublenet_nov(n) > sizeof data / sizeof *data ||
+        et_fit_parameters(&f, data, et_doublenet_nov(n), n, o.approach, ET_PARAM_UNIFORM) != ET_OK)
         return FAIL;
     if (et_shell_new(&f.shell, o.p, o.q, o.control, 0) != ET_OK) {
         et_fit_free(&f);
