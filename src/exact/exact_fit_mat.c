@@ -155,8 +155,6 @@ void exact_mat_add_kronecker(exact_mat *C, const exact_mat *A, const exact_mat *
 
 int exact_mat_solve(exact_mat *X, const exact_mat *A, const exact_mat *B)
 {
-    if (A->rows == 0)
-        return 1;
     if (X->bits > 0)
         return arb_mat_solve(X->as.balls, A->as.balls, B->as.balls, X->bits);
     return fmpq_mat_solve(X->as.rationals, A->as.rationals, B->as.rationals);

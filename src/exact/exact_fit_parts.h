@@ -52,8 +52,8 @@ size_t exact_rank(const fmpq_mat_t A);
 /* A (m x n): N_j(t_i) of n functions of degree p on the knots u. */
 void exact_collocation(fmpq_mat_t A, const double *t, const double *u, size_t p);
 
-/* With A = (Ai | Ac), the inner columns and the two of the ends, W = (Ai'Ai)^-1 Ai'Ac and Q = Ac - Ai W: A F = (Ai | Q) has Ai'Q = 0, and so the least
- * squares fall apart into an inner problem and one for the values at the ends.  Matrices keep the order of the control points. */
+/* With A = (Ai | Ac), the inner columns and the two of the ends, W = (Ai'Ai)^-1 Ai'Ac and Q = Ac - Ai W: A F = (Ai | Q) has Ai'Q = 0, so that least
+ * squares fall apart into an inner problem and one for the values at the ends.  F and Y keep the order of the control points. */
 typedef struct {
     size_t m, n;
     exact_mat Ai, Q;   /* m x (n - 2), m x 2 */
@@ -61,8 +61,8 @@ typedef struct {
     exact_mat Y;       /* n x m: inner rows (Ai'Ai)^-1 Ai', end rows those of the ends' problem */
 } exact_side;
 
-/* The side of A.  Its ends' problem: the least |Q x - d|^2, or, doubled, |Q x - d|^2 + |Q x - d|^2 without the first and the last row; end rows of Y are
- * zero if `open`.  0 if balls are too wide, and then nothing is held. */
+/* The side of A.  Its ends' problem: the least |Q x - d|^2, or, doubled, |Q x - d|^2 + |Q x - d|^2 without the first and the last row; end rows of Y
+ * are zero if `open`.  0 if balls are too wide, and then nothing is held. */
 int exact_side_init(exact_side *s, const fmpq_mat_t A, int doubled, int open, slong bits);
 void exact_side_clear(exact_side *s);
 

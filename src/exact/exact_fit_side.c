@@ -1,8 +1,8 @@
 /* exact_fit_side: one direction of a grid, its control points split into inner ones and the two ends.
  *
- * Least squares on the grid, |A P B' - D|^2, are solved in the coordinates P = F X G' of both directions' splits.  There the normal equations fall apart:
- * inner x inner, inner x ends, ends x inner, ends x ends.  That stays so if the data inside the border are counted twice, as two views that
- * share their border do, since clamped ends' data see the ends alone: A = 1 there, and Ai = 0.
+ * Least squares on the grid, |A P B' - D|^2, are solved in the coordinates P = F X G' of both directions' splits.  There the normal equations fall
+ * apart: inner x inner, inner x ends, ends x inner, ends x ends.  That stays so if the data inside the border are counted twice, as two views that
+ * share their border do, since data at clamped ends see the ends alone: the end's function is 1 there, the others 0.
  */
 #include "exact/exact_fit_parts.h"
 #include "etalon/spline/knots.h"

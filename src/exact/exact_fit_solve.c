@@ -33,7 +33,7 @@ static int ends_fixed(const exact_fit *f, size_t direction)
     return constrained(f) && (direction == 0 ? f->control.ny : f->control.nx) == 2;
 }
 
-/* Whether the end functions are 1 at the end parameters: so they are unless inner knots have fallen on an end; then end functions vanish throughout. */
+/* Whether the end functions are 1 at the end parameters: unless inner knots have fallen on an end; there the end function vanishes throughout. */
 static int ends_seen(const fmpq_mat_t A)
 {
     return fmpq_is_one(fmpq_mat_entry(A, 0, 0)) && fmpq_is_one(fmpq_mat_entry(A, fmpq_mat_nrows(A) - 1, fmpq_mat_ncols(A) - 1));
@@ -181,8 +181,6 @@ static int glue(plane *p, const pass *s)
     share_all(p->D);
     if (!s->f->fixed)
         return joint_corners(p, u, v);
-    for (size_t w = 0; w < 2; w++)
-        put_corners(&p->X[w], &p->D[w]);
     return (ends_seen(&s->f->A[0][0]) && ends_seen(&s->f->A[0][1])) || joint_strip(p, u, v);
 }
 

@@ -1,8 +1,7 @@
 /* Least squares in one dense matrix of rationals, from Cox and de Boor's recursion as it is written, and rounded: the judge of et_exact_fit_solve. */
 #include "etalon/spline/knots.h"
-#include "exact/exact_parts.h"
+#include "exact/exact_fit_parts.h"
 #include "gen.h"
-#include <flint/fmpq_mat.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -508,4 +507,32 @@ verdict prop_exact_fit_solve_ends(gen *g)
     memcpy(c.v[1], c.v[0], sizeof c.v[0]);
     draw_data(g, &c);
     return judged(g, &c) ? PASS : FAIL;
+}
+
+/* Products of unit triangles have as many independent rows as columns between them, though a prime as a factor hides all of them from residues. */
+verdict prop_exact_fit_solve_rank(gen *g)
+{
+    const size_t m = gen_between(g, 1, 7), n = gen_between(g, 1, 7), most = m < n ? m : n, rank = gen_upto(g, most);
+    const ulong factor = gen_chance(g, 2) ? 0x7fffffffffffffe7 : 1;
+    fmpq_mat_t L, R, A;
+    size_t found;
+
+    fmpq_mat_init(L, (slong)m, (slong)rank);
+    fmpq_mat_init(R, (slong)rank, (slong)n);
+    fmpq_mat_init(A, (slong)m, (slong)n);
+    for (size_t k = 0; k < rank; k++) {
+        for (size_t i = k; i < m; i++)
+            fmpq_set_si(fmpq_mat_entry(L, (slong)i, (slong)k), i == k ? 1 : (slong)gen_upto(g, 8) - 4, 1 + gen_upto(g, 2));
+        for (size_t j = k; j < n; j++)
+            fmpq_set_si(fmpq_mat_entry(R, (slong)k, (slong)j), j == k ? 1 : (slong)gen_upto(g, 8) - 4, 1);
+    }
+    fmpq_mat_mul(A, L, R);
+    for (size_t i = 0; i < m; i++)
+        for (size_t j = 0; j < n; j++)
+            fmpz_mul_ui(fmpq_mat_entry_num(A, (slong)i, (slong)j), fmpq_mat_entry_num(A, (slong)i, (slong)j), factor);
+    found = exact_rank(A);
+    fmpq_mat_clear(L);
+    fmpq_mat_clear(R);
+    fmpq_mat_clear(A);
+    return gen_check(g, found == rank, "%zu x %zu: rank %zu, should be %zu", m, n, found, rank) ? PASS : FAIL;
 }
