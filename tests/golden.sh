@@ -20,7 +20,8 @@ if [ "$mode" != compare ] && [ "$mode" != accept ]; then
     exit 2
 fi
 if [ -n "$check" ]; then
-    exec sh tests/sum.sh "sh tests/golden.sh $mode $build" "$check --golden golden/*.tsv" "$check --truth golden/*.tsv" "python3 tests/golden/second.py"
+    exec sh tests/sum.sh "sh tests/golden.sh $mode $build" "$check --golden golden/*.tsv" "$check --truth golden/*.tsv" \
+        "python3 tests/golden/second.py"
 fi
 
 mkdir -p "$made"

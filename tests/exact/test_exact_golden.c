@@ -1,5 +1,5 @@
-/* exact, golden rows of functions that have no exact twin: volumes, least squares, triangular factors and the objective once more, in FLINT's rationals
- * and balls, by other ways than the generators'. */
+/* exact, golden rows of functions that have no exact twin: volumes, least squares, triangular factors and the objective once more, in FLINT's
+ * rationals and balls, by other ways than the generators'. */
 #include "etalon/exact/exact.h"
 #include "etalon/net/doublenet.h"
 #include "exact/exact_parts.h"

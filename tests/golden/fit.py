@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """golden/fit.tsv: least squares of small double nets by rational arithmetic, at parameters and knots that doubles hold exactly.
 
-Each stage is exact and rounded once: control points; the errors at the rounded control points; averages of parameters and then their means over views.
+Each stage is exact and rounded once: control points; the errors at the rounded control points; averages of parameters, then their means over
+views.
 Bounds: a backward stable solution's forward error, c u k (1 + k) |b| |A+|, k = |A| |A+|; with normal equations once more times k.
 """
 from fractions import Fraction as F
@@ -229,7 +230,8 @@ def rows(reason, net, approaches=(0, 1, 2), algebras=3):
                 text = net.head(ap, algebra, fixed)
                 print("fit_make", "abs " + bound_of(error * (net.condition if algebra == 1 else 1)), reason, text, " ".join(want), sep="\t")
                 if algebra == 0:
-                    print("fit_measure", "abs " + bound_of(4 * error * (2 * n[0] * n[1] + 4)), reason, text, " ".join(show(x) for x in sums), sep="\t")
+                    bound = bound_of(4 * error * (2 * n[0] * n[1] + 4))
+                    print("fit_measure", "abs " + bound, reason, text, " ".join(show(x) for x in sums), sep="\t")
 
 
 def parameters(reason, approach, method, n, data):
@@ -279,7 +281,8 @@ def fits(c):
         return [[draw() for _ in range(3)] for _ in range(nov(n))]
     hows = ("random", "whole", "extreme scale, 1e100", "extreme scale, 1e-100", "extreme scale, offset")
     shapes = [("uniform", 1, 1, (3, 3), (3, 2)), ("uniform", 2, 1, (5, 3), (4, 2)), ("piegl", 1, 2, (5, 5), (2, 3)), ("piegl", 1, 1, (3, 5), (2, 2)),
-              ("faithful", 2, 1, (5, 3), (4, 2)), ("uniform", 3, 1, (5, 2), (4, 2)), ("piegl", 2, 2, (5, 5), (3, 3)), ("uniform", 1, 1, (2, 9), (2, 3)),
+              ("faithful", 2, 1, (5, 3), (4, 2)), ("uniform", 3, 1, (5, 2), (4, 2)), ("piegl", 2, 2, (5, 5), (3, 3)),
+              ("uniform", 1, 1, (2, 9), (2, 3)),
               ("uniform", 1, 1, (5, 5), (3, 3)), ("piegl", 4, 1, (9, 2), (5, 2))]
     for k, (rule, p, q, n, m) in enumerate(shapes):
         for how in (hows[k % 5], hows[(k + 2) % 5]):
@@ -290,8 +293,9 @@ def fits(c):
     yield "coincident points, all", Net("piegl", 1, 1, n, (2, 2), [one[0]] * nov(n))
     closed = one[:6] + one[:3] + one[9:]
     yield "seam and closure", Net("uniform", 2, 1, n, (3, 2), closed)
-    for n, m, p, q, rule, steps in (((5, 5), (3, 3), 2, 1, "uniform", (1, 2, 3)), ((7, 5), (3, 2), 2, 1, "piegl", (1, 2, 0)), ((6, 4), (4, 3), 1, 2, "uniform", (1, 2, 4)),
-                                    ((9, 3), (4, 2), 3, 1, "uniform", (1, 1, 2)), ((8, 4), (4, 2), 2, 1, "faithful", (1, 2)), ((5, 5), (4, 3), 3, 2, "piegl", (0, 1, 4))):
+    walks = (((5, 5), (3, 3), 2, 1, "uniform", (1, 2, 3)), ((7, 5), (3, 2), 2, 1, "piegl", (1, 2, 0)), ((6, 4), (4, 3), 1, 2, "uniform", (1, 2, 4)),
+             ((9, 3), (4, 2), 3, 1, "uniform", (1, 1, 2)), ((8, 4), (4, 2), 2, 1, "faithful", (1, 2)), ((5, 5), (4, 3), 3, 2, "piegl", (0, 1, 4)))
+    for n, m, p, q, rule, steps in walks:
         for _ in range(40):
             (x, s), (y, r) = walked(c, n[0], 16, steps), walked(c, n[1], 8, steps)
             try:
@@ -305,10 +309,12 @@ def fits(c):
 
 def failures(c):
     """(reason, net, whether singular); the parameters are chord lengths of walks, i / 16 and i / 8."""
-    for n, m, p, q, rule, steps, why in (((6, 3), (4, 2), 1, 1, "uniform", (0, 0, 1), "repeated sites"), ((5, 3), (5, 2), 1, 1, "uniform", (1, 1, 2), "Schoenberg-Whitney violated"),
-                                         ((7, 3), (5, 2), 3, 1, "uniform", (0, 1), "repeated sites"), ((5, 5), (2, 5), 1, 1, "uniform", (0, 1), "repeated sites"),
-                                         ((9, 4), (9, 2), 1, 1, "uniform", (1,), "Schoenberg-Whitney violated"), ((6, 4), (6, 2), 2, 1, "uniform", (1, 2), "Schoenberg-Whitney violated"),
-                                         ((3, 6), (2, 5), 1, 2, "faithful", (0, 1), "singular"), ((6, 3), (5, 2), 2, 1, "faithful", (0, 1), "singular")):
+    repeated, violated, singular = "repeated sites", "Schoenberg-Whitney violated", "singular"
+    walks = (((6, 3), (4, 2), 1, 1, "uniform", (0, 0, 1), repeated), ((5, 3), (5, 2), 1, 1, "uniform", (1, 1, 2), violated),
+             ((7, 3), (5, 2), 3, 1, "uniform", (0, 1), repeated), ((5, 5), (2, 5), 1, 1, "uniform", (0, 1), repeated),
+             ((9, 4), (9, 2), 1, 1, "uniform", (1,), violated), ((6, 4), (6, 2), 2, 1, "uniform", (1, 2), violated),
+             ((3, 6), (2, 5), 1, 2, "faithful", (0, 1), singular), ((6, 3), (5, 2), 2, 1, "faithful", (0, 1), singular))
+    for n, m, p, q, rule, steps, why in walks:
         made = 0
         for _ in range(60):
             if made == 4:
@@ -350,9 +356,11 @@ def main():
                 print("fit_make_status", "exact", reason, net.head(approach, algebra, False), ERANK if singular and algebra < 2 else OK, sep="\t")
     plain = pillow((4, 4), 11)
     for approach, method, knots_rule, algebra, corners, p, q, cx, cy, why in (
-            (3, 1, 0, 0, 1, 1, 1, 3, 3, "unknown approach"), (0, 4, 0, 0, 1, 1, 1, 3, 3, "unknown method"), (0, 1, 4, 0, 1, 1, 1, 3, 3, "unknown rule"),
+            (3, 1, 0, 0, 1, 1, 1, 3, 3, "unknown approach"), (0, 4, 0, 0, 1, 1, 1, 3, 3, "unknown method"),
+            (0, 1, 4, 0, 1, 1, 1, 3, 3, "unknown rule"),
             (0, 1, 0, 3, 1, 1, 1, 3, 3, "unknown algebra"), (0, 1, 0, 0, 3, 1, 1, 3, 3, "unknown corners"), (0, 1, 0, 0, 1, 0, 1, 3, 3, "degree 0"),
-            (0, 1, 0, 0, 1, 1, 0, 3, 3, "degree 0"), (0, 1, 0, 0, 1, 3, 1, 3, 3, "too few coefficients"), (0, 1, 0, 0, 1, 1, 3, 3, 3, "too few coefficients"),
+            (0, 1, 0, 0, 1, 1, 0, 3, 3, "degree 0"), (0, 1, 0, 0, 1, 3, 1, 3, 3, "too few coefficients"),
+            (0, 1, 0, 0, 1, 1, 3, 3, 3, "too few coefficients"),
             (0, 1, 0, 0, 1, 1, 1, 5, 3, "more coefficients than data"), (0, 1, 0, 0, 1, 1, 1, 3, 5, "more coefficients than data"),
             (2, 1, 0, 0, 1, 25, 1, 3, 3, "degree 25"), (1, 1, 0, 0, 2, 1, 1, 1, 3, "too few coefficients")):
         args = [approach, method, knots_rule, algebra, corners, p, q, 4, 4, cx, cy]
@@ -364,7 +372,8 @@ def main():
             data[:n[1]] = [data[0]] * n[1]
         for approach in (0, 1 + k % 2):
             for method in range(4):
-                parameters(("random" if k % 2 else "extreme scale, offset") + (", degenerate geometry, pole" if k % 3 == 2 else ""), approach, method, n, data)
+                why = ("random" if k % 2 else "extreme scale, offset") + (", degenerate geometry, pole" if k % 3 == 2 else "")
+                parameters(why, approach, method, n, data)
 
 
 main()

@@ -52,4 +52,5 @@ CASES = SHARED + [
 
 if __name__ == '__main__':
     head('ga.py')
-    rows('ga_step', step, CASES + drawn(61, 80, tournament=(1, 2, 4, 9), crossover=(0.0, 0.7, 1.0), swap=(0.0, 0.5, 1.0), mutation=(0.0, 0.01, 0.5, 1.0)))
+    chances = dict(crossover=(0.0, 0.7, 1.0), swap=(0.0, 0.5, 1.0), mutation=(0.0, 0.01, 0.5, 1.0))
+    rows('ga_step', step, CASES + drawn(61, 80, tournament=(1, 2, 4, 9), **chances))

@@ -109,7 +109,8 @@ def refused(c):
     for kind in range(5):
         for p, nu, n, why in ((0, 4, 4, "degree 0"), (1, 3, 4, "too few coefficients"), (3, 7, 9, "too few coefficients"), (3, 8, 4, "fewest"),
                               (3, 8, 1, "too few parameters"), (3, 8, 0, "too few parameters"), (3, 9, 5, "as many as data"),
-                              (3, 10, 5, "more coefficients than data"), (3, 9, 9, "fewer coefficients than data"), (2, 40, 5, "more coefficients than data"),
+                              (3, 10, 5, "more coefficients than data"), (3, 9, 9, "fewer coefficients than data"),
+                              (2, 40, 5, "more coefficients than data"),
                               (25, 52, 26, "degree 25"), (25, 51, 26, "degree 25, too few coefficients")):
             status(why + (", unknown kind" if kind > 3 else ""), kind, p, nu, sites(c, n, "short") if n > 1 else [0.0] * n)
 

@@ -175,7 +175,8 @@ def main():
         s, r = ([0] + sorted(c.short(0, 1, 16) for _ in range(c.between(0, 3))) + [1] for _ in range(2))
         case = Case(p, q, u, v, s, r)
         if case.classes() * 3 + len(nodes(case.nx, case.ny)) * 3 < 160:
-            why = 'repeated sites' if len(set(s)) < len(s) or len(set(r)) < len(r) else 'repeated knots' if len(set(u[p:-p])) < len(u[p:-p]) else 'random'
+            sites = len(set(s)) < len(s) or len(set(r)) < len(r)
+            why = 'repeated sites' if sites else 'repeated knots' if len(set(u[p:-p])) < len(u[p:-p]) else 'random'
             drawn_row(c, why, case)
 
 

@@ -27,7 +27,8 @@ def grid_row(reason, method, rows):
     nx, ny = len(rows), len(rows[0])
     flat, s, r = grid(rows, m)
     args = [str(m), str(nx), str(ny)] + [show(float(c)) for line in rows for p in line for c in p]
-    print("param_grid", "abs " + bound_of((2 * max(nx, ny) + 34) * U), reason, " ".join(args), " ".join([str(flat)] + [show(x) for x in s + r]), sep="\t")
+    want = " ".join([str(flat)] + [show(x) for x in s + r])
+    print("param_grid", "abs " + bound_of((2 * max(nx, ny) + 34) * U), reason, " ".join(args), want, sep="\t")
 
 
 def status(reason, method, nx, ny, want):

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """golden/quality.tsv: winners by squared distances in rationals, ties to the lowest class; the mean and the extremes rounded once.
 
-Rows `exact`: every distance is rational and short.  Else a distance is within 3.5u of its own, the mean's sum within (18 + log2 n) u, the quotient half an
-ulp, the wanted value another: (24 + log2 n) u of the greatest.  A row is only written where no two classes compete within rounding.
+Rows `exact`: every distance is rational and short.  Else a distance is within 3.5u of its own, the mean's sum within (18 + log2 n) u, the quotient
+half an ulp, the wanted value another: (24 + log2 n) u of the greatest.  A row is only written where no two classes compete within rounding.
 """
 from fractions import Fraction as F
 

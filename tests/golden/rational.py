@@ -79,7 +79,7 @@ def local_derivative(u, p, k, x, d, sign):
 
 
 def window(u, p, k, x, d=0, sign=-1):
-    """The d-th derivatives at x of the functions N_{k-p,p} .. N_{k,p} that do not vanish on span k; with sign = 1 the sums of the terms' magnitudes."""
+    """The d-th derivatives at x of N_{k-p,p} .. N_{k,p}, which do not vanish on span k; with sign = 1 the sums of the terms' magnitudes."""
     U, X, scale = whole(u, x)
     if d == 0:
         return local(U, p, k, X)
@@ -130,8 +130,8 @@ def bound_of(x):
 
 
 def root(q, degree=2, bits=80):
-    """The degree-th root of a rational, cut off after `bits` binary digits, and whether that is all of it.  Cut off: a last digit 1 is put behind, so that
-    it rounds to a double as the root itself does."""
+    """The degree-th root of a rational, cut off after `bits` binary digits, and whether that is all of it.  Cut off: a last digit 1 is put behind, so
+    that it rounds to a double as the root itself does."""
     if q == 0:
         return F(0), True
     k = bits + max(0, (q.denominator.bit_length() - q.numerator.bit_length()) // degree + 1)

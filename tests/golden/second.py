@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""A second oracle: a sample of the golden rows of basis, surfaces, curves, distances and parameters computed in another way than their generators compute.
+"""A second oracle: a sample of the golden rows of basis, surfaces, curves, distances and parameters in another way than their generators.
 
-Splines by de Boor's algorithm on control points (unit vectors for the basis) and by differences of control points for derivatives, not by the recursion of
-basis functions; roots and powers in decimals.  Each wanted double must be the nearest one, ties to even: the exact value lies between the middles to both
-neighbours.  Nothing is shared with the generators.  Run from the project's directory; prints a line a table and `N passed, N failed`.
+Splines by de Boor's algorithm on control points (unit vectors for the basis) and by differences of control points for derivatives, not by the
+recursion of basis functions; roots and powers in decimals.  Each wanted double must be the nearest one, ties to even: the exact value lies between
+the middles to both neighbours.  Nothing is shared with the generators.  Run from the project's directory; prints a line a table
+and `N passed, N failed`.
 """
 import struct
 import sys

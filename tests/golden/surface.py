@@ -12,7 +12,8 @@ from rational import Choices, bound_of, gamma, head, nearest, row, span, up, win
 
 ORDERS = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)]
 # Which earlier results enter each derivative's quotient: (order of w, index of D, factor).
-PARTS = [[], [((1, 0), 0, 1)], [((0, 1), 0, 1)], [((1, 0), 1, 2), ((2, 0), 0, 1)], [((1, 0), 2, 1), ((0, 1), 1, 1), ((1, 1), 0, 1)], [((0, 1), 2, 2), ((0, 2), 0, 1)]]
+PARTS = [[], [((1, 0), 0, 1)], [((0, 1), 0, 1)], [((1, 0), 1, 2), ((2, 0), 0, 1)],
+         [((1, 0), 2, 1), ((0, 1), 1, 1), ((1, 1), 0, 1)], [((0, 1), 2, 2), ((0, 2), 0, 1)]]
 U = F(1, 2**53)
 
 
@@ -187,7 +188,8 @@ def tabulate(c, s, why, ders=True):
         point_row(s, why + ", " + where, a, b)
     if ders:
         for where, a, b in spots[c.upto(1)::2]:
-            ders_rows(s, why + (", one-sided derivative" if where in ("at a knot", "end of domain") else ", " + where), a, b, sorted({c.between(1, 5), c.upto(5)}))
+            side = ", one-sided derivative" if where in ("at a knot", "end of domain") else ", " + where
+            ders_rows(s, why + side, a, b, sorted({c.between(1, 5), c.upto(5)}))
     if c.upto(3) == 0:
         points_row(s, why, [(a, b) for _, a, b in spots])
     if c.upto(3) == 0:
@@ -265,9 +267,11 @@ def categories(c, rounds):
 def first(c):
     CLAMPED = [0.0] * 4 + [0.1, 0.3, 0.7] + [1.0] * 4
     BERNSTEIN = [0.0] * 4 + [1.0] * 4
-    KINDS = [(3, BERNSTEIN, 3, BERNSTEIN, False, "Bezier"), (3, BERNSTEIN, 3, BERNSTEIN, True, "rational Bezier"), (3, CLAMPED, 3, BERNSTEIN, False, "bicubic"),
-             (3, BERNSTEIN, 3, CLAMPED, True, "rational bicubic"), (1, [0.0, 0.0, 1.0, 1.0], 2, [0.0, 0.0, 0.0, 0.25, 1.0, 1.0, 1.0], False, "degrees 1 and 2"),
-             (2, [0.0, 0.0, 0.0, 0.25, 1.0, 1.0, 1.0], 1, [0.0, 0.0, 1.0, 1.0], True, "degrees 2 and 1"), (0, [0.0, 0.5, 1.0], 3, BERNSTEIN, False, "degree 0"),
+    LINE, HALF = [0.0, 0.0, 1.0, 1.0], [0.0, 0.0, 0.0, 0.25, 1.0, 1.0, 1.0]
+    KINDS = [(3, BERNSTEIN, 3, BERNSTEIN, False, "Bezier"), (3, BERNSTEIN, 3, BERNSTEIN, True, "rational Bezier"),
+             (3, CLAMPED, 3, BERNSTEIN, False, "bicubic"), (3, BERNSTEIN, 3, CLAMPED, True, "rational bicubic"),
+             (1, LINE, 2, HALF, False, "degrees 1 and 2"), (2, HALF, 1, LINE, True, "degrees 2 and 1"),
+             (0, [0.0, 0.5, 1.0], 3, BERNSTEIN, False, "degree 0"),
              (3, BASES[2][1], 2, BASES[9][1], False, "near-equal knots"), (3, BASES[4][1], 1, BASES[8][1], True, "repeated knots")]
     for p, u, q, v, rational, why in KINDS:
         s = Surface(c, p, u, q, v, rational)
