@@ -162,14 +162,13 @@ int exact_mat_solve(exact_mat *X, const exact_mat *A, const exact_mat *B)
 
 size_t exact_rank(const fmpq_mat_t A)
 {
-    const ulong prime = 0x7fffffff;     /* 2^31 - 1: a word has 32 bits somewhere */
     const slong rows = fmpq_mat_nrows(A), columns = fmpq_mat_ncols(A);
     fmpz_mat_t whole;
     nmod_mat_t residues;
     slong rank;
 
     fmpz_mat_init(whole, rows, columns);
-    nmod_mat_init(residues, rows, columns, prime);
+    nmod_mat_init(residues, rows, columns, EXACT_PRIME);
     fmpq_mat_get_fmpz_mat_rowwise(whole, NULL, A);
     fmpz_mat_get_nmod_mat(residues, whole);
     /* A minor that is not zero modulo a prime is not zero. */

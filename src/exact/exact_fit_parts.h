@@ -7,6 +7,8 @@
 
 /* ---- matrices (exact_fit_mat.c) ---- */
 
+enum { EXACT_PRIME = 0x7fffffff };        /* 2^31 - 1: a word has 32 bits somewhere */
+
 /* Balls of `bits` bits, or rationals for bits = 0: formulas are written once, for both. */
 typedef struct {
     slong bits;
@@ -44,7 +46,7 @@ int exact_mat_solve(exact_mat *X, const exact_mat *A, const exact_mat *B);
 /* 1 and *x if A[i][j] rounds to the one double *x, which rationals always do; else 0. */
 int exact_mat_round(double *x, const exact_mat *A, size_t i, size_t j);
 
-/* The rank of A, proved: full by its reduction modulo a prime, else over the rationals. */
+/* The rank of A, proved: full by its reduction modulo EXACT_PRIME, else over the rationals. */
 size_t exact_rank(const fmpq_mat_t A);
 
 /* ---- a direction of the grid (exact_fit_side.c) ---- */
