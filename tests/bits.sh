@@ -10,6 +10,7 @@ build=$1
 shift
 parts=${*:-native aarch64 s390x i386 fault}
 passed=0 failed=0
+strict='^(bits|exact)$'
 jobs=-j$(nproc 2> /dev/null || echo 1)
 mkdir -p "$build" && root=$(cd "$build" && pwd) || exit 2
 work=$(mktemp -d) || exit 2
@@ -33,23 +34,24 @@ made() {
     return 1
 }
 
-# rows FOLDER REGISTRY BITS: the golden rows of class bits and exact, module by module, that a build with these checks and a size_t of so many bits
-# can have.  A count past 2^32 - 1, or a limit of size_t, is none where size_t has 32 bits.
+# rows FOLDER REGISTRY BITS CLASSES: the golden rows of these classes, module by module, that a build with these checks and a size_t of so many bits
+# can have.  Where size_t has 32 bits a count past 2^32 - 1 is none, and no net has more nodes.
 rows() {
     mkdir -p "$1"
     sed -n 's/^    { "\(.*\)", gold_.*/\1/p' "$2" > "$1/known"
     for table in golden/*.tsv; do
-        awk -F '\t' -v bits="$3" -v left="$1/left" -v module="$(basename "$table" .tsv)" '
+        awk -F '\t' -v bits="$3" -v classes="$4" -v left="$1/left" -v module="$(basename "$table" .tsv)" '
             function wide(list,  n, i, w) {
                 n = split(list, w, " ")
                 for (i = 1; i <= n; i++) if (w[i] ~ /^[0-9]+$/ && w[i] > 4294967295) return 1
                 return 0
             }
-            FILENAME != ARGV[2]              { known[$1] = 1; next }
-            /^#/ || ($2 != "bits" && $2 != "exact") { next }
-            !($1 in known)                   { unknown++; next }
-            bits == 32 && (wide($4) || wide($5) || $3 == "limit") { large++; next }
-                                             { print }
+            function nodes(list,  w) { split(list, w, " "); return $1 == "doublenet_valid" ? 2 * w[1] * w[2] : 0 }
+            FILENAME != ARGV[2]   { known[$1] = 1; next }
+            /^#/ || $2 !~ classes { next }
+            !($1 in known)        { unknown++; next }
+            bits == 32 && (wide($4) || wide($5) || nodes($4) > 4294967295) { large++; next }
+                                  { print }
             END {
                 if (unknown) print module ": " unknown " rows of what is left out" >> left
                 if (large) print module ": " large " rows of sizes that 32 bits cannot hold" >> left
@@ -60,15 +62,15 @@ rows() {
 
 # golden NAME FOLDER COMMAND...: one line a module.
 golden() {
-    name=$1 folder=$2
+    who=$1 folder=$2
     shift 2
     for table in "$folder"/*.tsv; do
         "$@" --golden "$table" > "$work/out" 2>&1
         module=$(basename "$table" .tsv)
         if [ "$(tail -n 1 "$work/out")" = "$(grep -c . "$table") passed, 0 failed" ]; then
-            ok "$name $module $(grep -c . "$table") rows"
+            ok "$who $module $(grep -c . "$table") rows"
         else
-            fail "$name $module: $(tail -n 1 "$work/out")"
+            fail "$who $module: $(tail -n 1 "$work/out")"
             grep -v '^ok' "$work/out" | head -n 5
         fi
     done
@@ -76,12 +78,12 @@ golden() {
 
 # replayed NAME COMMAND...: one line a run; each must have the hash that it has with gcc -O0.
 replayed() {
-    name=$1
+    who=$1
     shift
     mkdir -p "$work/replay"
     "$@" "$work/replay" > "$work/hashes" 2> "$work/err" || sed 's/^/  /' "$work/err"
     while read -r run hash; do
-        if grep -qx "$run $hash" "$work/hashes"; then ok "$name run $run"; else fail "$name run $run: differs from gcc -O0"; fi
+        if grep -qx "$run $hash" "$work/hashes"; then ok "$who run $run"; else fail "$who run $run: differs from gcc -O0"; fi
     done < "$work/want.hashes"
 }
 
@@ -156,7 +158,7 @@ blas() {
 }
 
 native() {
-    rows "$work/rows" "$root/release/registry.c" 64
+    rows "$work/rows" "$root/release/registry.c" 64 "$strict"
     ( make_all "$root/debug/etalon" 1 "$work/want" ) || return
     files=$(cd "$work/want" && find . -type f | sort | sed 's/^..//')
     [ "$(echo "$files" | wc -l)" -ge 40 ] || fail "native: only these files were made: $files"
@@ -192,10 +194,16 @@ cross() {
     sh tests/bits/sysroot.sh "$2" "$3" "$sysroot" $FOREIGN || { fail "$p: all of it is left out: no libraries of $2"; return; }
     made "$p" '' check replay || { fail "$p: cannot be built"; return; }
     make -s P="$p" BUILD="$root" left-out | sed "s/^/left out bits $p /"
-    rows "$work/$p" "$root/$p/registry.c" "$5"
+    rows "$work/$p" "$root/$p/registry.c" "$5" "$strict"
     [ -e "$work/$p/left" ] && sed "s/^/left out bits $p /" "$work/$p/left"
     replayed "$p" "$qemu" -L "$sysroot" "$root/$p/replay"
     golden "$p" "$work/$p" "$qemu" -L "$sysroot" "$root/$p/check"
+    # The exact layer judges the rows of all classes as it does here.
+    rows "$work/$p.all" "$root/$p/registry.c" "$5" .
+    "$root/release/check" --truth "$work/$p.all"/*.tsv > "$work/here"
+    "$qemu" -L "$sysroot" "$root/$p/check" --truth "$work/$p.all"/*.tsv > "$work/there"
+    if cmp -s "$work/here" "$work/there"; then ok "$p exact layer $(cat "$work/$p.all"/*.tsv | grep -c .) rows"
+    else fail "$p exact layer: judges rows otherwise than here"; fi
 }
 
 # ---- a planted fault ---------------------------------------------------------------------------------------------------------------
