@@ -203,6 +203,16 @@ static double dual_value(state *a)
     return et_real_sum(a->length, a->model->nov) / most;
 }
 
+/* N'y = 0 as far as rounding goes; not so where the equations could not be solved. */
+static int feasible(state *a)
+{
+    optimum_model_adjoint(a->step, a->model, a->y);
+    for (size_t k = 0; k < 3 * a->model->m; k++)
+        if (!(fabs(a->step[k]) < 0x1p-30))
+            return 0;
+    return 1;
+}
+
 /* Keep what is better, tell it; 1 if it is time to end. */
 static int took(state *a, int last_of_start)
 {
@@ -213,7 +223,7 @@ static int took(state *a, int last_of_start)
         a->value = value;
         memcpy(s->x, a->x, 3 * a->model->m * sizeof *a->x);
     }
-    if (dual > a->dual) {
+    if (dual > a->dual && feasible(a)) {
         a->dual = dual;
         memcpy(s->y, a->y, 3 * a->model->nov * sizeof *a->y);
         memcpy(s->weight, a->weight, 6 * a->model->nov * sizeof *a->weight);

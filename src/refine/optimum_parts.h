@@ -68,6 +68,7 @@ typedef struct {
     const optimum_model *model;
     int blocks;                           /* the weights are blocks, not numbers */
     const double *weight;
+    double ridge;                         /* relative, on the diagonal of what is factored */
     optimum_band band;
     double *x, *w;                        /* the solution, and N x: [3 m], [3 nov] pairs of doubles */
     double *work, *row, *tile;
@@ -76,8 +77,8 @@ typedef struct {
 et_status optimum_solve_new(optimum_solver *solver, const optimum_model *model, int blocks);
 void optimum_solve_free(optimum_solver *solver);
 void optimum_solve_factor(optimum_solver *solver, const double *weight);              /* which stays in use */
-/* Until the error in energy has shrunk by `tolerance`; how many steps it took. */
-size_t optimum_solve_run(optimum_solver *solver, const double *b, double tolerance);
+/* Until the error in energy has shrunk by `tolerance`; 0 if it does not get there.  What is factored gets a ridge if nothing else helps. */
+int optimum_solve_run(optimum_solver *solver, const double *b, double tolerance);
 void optimum_solve_take(double *x, double *w, const optimum_solver *solver);          /* x[3 m], w[3 nov] = N x */
 
 /* ---- sums in twice the precision (Dekker 1971; Knuth) ---- */

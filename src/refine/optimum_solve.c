@@ -67,14 +67,24 @@ void optimum_solve_free(optimum_solver *solver)
     free(solver->tile);
 }
 
+static void factor(optimum_solver *solver)
+{
+    const size_t n = solver->blocks ? 3 * solver->model->m : solver->model->m;
+
+    if (solver->blocks)
+        optimum_model_blocks(&solver->band, solver->model, solver->weight);
+    else
+        optimum_model_scalar(&solver->band, solver->model, solver->weight);
+    for (size_t k = 0; k < n; k++)
+        *optimum_band_at(&solver->band, k, k) *= 1 + solver->ridge;
+    optimum_band_factor(&solver->band);
+}
+
 void optimum_solve_factor(optimum_solver *solver, const double *weight)
 {
     solver->weight = weight;
-    if (solver->blocks)
-        optimum_model_blocks(&solver->band, solver->model, weight);
-    else
-        optimum_model_scalar(&solver->band, solver->model, weight);
-    optimum_band_factor(&solver->band);
+    solver->ridge = 0;
+    factor(solver);
 }
 
 static void precondition(const optimum_solver *s, double *z, const double *r)
@@ -164,38 +174,49 @@ static void turn(double *p, const double *z, const double *r, const double *old,
         p[k] = z[k] + beta * p[k];
 }
 
-size_t optimum_solve_run(optimum_solver *solver, const double *b, double tolerance)
+/* 1 if it converged; 0 if it broke down. */
+static int gradients(optimum_solver *solver, const double *b, double tolerance)
 {
     const size_t n = 3 * solver->model->m;
     optimum_pair *const x = (optimum_pair *)solver->x, *const sum = (optimum_pair *)solver->work;
     double *const r = solver->work + 2 * n, *const z = r + n, *const p = z + n, *const old = p + n;
     double before = 0, first = 0;
-    size_t step = 0;
 
     memset(solver->x, 0, 2 * n * sizeof *solver->x);
     memset(p, 0, n * sizeof *p);
     memcpy(r, b, n * sizeof *r);
     memset(solver->w, 0, 6 * solver->model->nov * sizeof *solver->w);
-    for (; step < STEPS; step++) {
+    for (size_t step = 0; step < STEPS; step++) {
         double now, along, most;
 
         precondition(solver, z, r);
         now = product(r, z, n);
         first = step == 0 ? now : first;
-        if (!(now > first * tolerance * tolerance) || !isfinite(now))
-            break;
+        if (!(now > first * tolerance * tolerance))
+            return now >= -first * tolerance * tolerance;
         turn(p, z, r, old, before, n);
         most = energy(solver, p, solver->row);
         along = most > 0 ? product(p, r, n) / most : 0;
-        if (!(along > 0) || !isfinite(along))
-            break;
+        if (!(along > 0 && isfinite(along)))
+            return 0;
         for (size_t k = 0; k < n; k++)
             x[k] = optimum_solve_add(x[k], along, (optimum_pair){p[k], 0});
         memcpy(old, r, n * sizeof *r);
         before = now;
         residual(r, solver, b, sum);
     }
-    return step;
+    return 0;
+}
+
+int optimum_solve_run(optimum_solver *solver, const double *b, double tolerance)
+{
+    while (!gradients(solver, b, tolerance)) {
+        if (solver->ridge > 0x1p-36)
+            return 0;
+        solver->ridge = solver->ridge > 0 ? solver->ridge * 16 : 0x1p-48;
+        factor(solver);
+    }
+    return 1;
 }
 
 void optimum_solve_take(double *x, double *w, const optimum_solver *solver)
