@@ -249,11 +249,12 @@ verdict prop_exact_fit_parameters_rational(gen *g)
 
 /* ---- all stages ---- */
 
-/* Parameters, knots and control points, stage after stage; false where the stages say so. */
-static et_status stages(et_fit *f, const problem *c, et_message *message)
+/* Parameters, knots and control points, stage after stage; *most: the most bits that a stage needed. */
+static et_status stages(et_fit *f, const problem *c, size_t *most, et_message *message)
 {
     const et_fit_options *o = &c->options;
-    et_status status = et_exact_fit_parameters(f, c->data, c->nov, c->net, o->approach, o->method, NULL);
+    size_t line = 0, point = 0;
+    et_status status = et_exact_fit_parameters(f, c->data, c->nov, c->net, o->approach, o->method, &line);
 
     if (status == ET_OK)
         status = et_shell_new(&f->shell, o->p, o->q, o->control, 0);
@@ -262,7 +263,10 @@ static et_status stages(et_fit *f, const problem *c, et_message *message)
         if (status == ET_OK)
             status = et_exact_knotrule_make(f->shell.view[w].v, o->control.ny + o->q + 1, o->q, f->r[w], c->net.ny, o->knots);
     }
-    return status == ET_OK ? et_exact_fit_solve(f, c->data, c->nov, o, NULL, NULL, message) : status;
+    if (status == ET_OK)
+        status = et_exact_fit_solve(f, c->data, c->nov, o, &point, NULL, message);
+    *most = line > point ? line : point;
+    return status;
 }
 
 verdict prop_exact_fit_make(gen *g)
@@ -270,11 +274,11 @@ verdict prop_exact_fit_make(gen *g)
     problem c;
     et_fit f, by, again;
     et_message message = {"untouched"}, other = {"untouched"};
-    size_t bits = 0, used;
+    size_t bits = 0, used, most;
     bool ok;
 
     draw_problem(g, &c);
-    const et_status expect = stages(&by, &c, &other);
+    const et_status expect = stages(&by, &c, &most, &other);
     c.options.algebra = (et_linalg_method)gen_upto(g, 5); /* not used */
     memset(&f, 0x3c, sizeof f);
     const et_fit was = f;
@@ -286,6 +290,7 @@ verdict prop_exact_fit_make(gen *g)
         ok = gen_check(g, memcmp(&f, &was, sizeof f) == 0 && bits == 0 && status == ET_ERANK, "the fit changed") && ok;
     else {
         ok = gen_check(g, same_parameters(&f, &by) && same_knots(&f, &by) && same_points(&f, &by), "make is not its stages") && ok;
+        ok = gen_check(g, bits == most, "%zu bits, the stages %zu", bits, most) && ok;
         ok = gen_check(g, et_shell_valid(&f.shell) && (c.options.approach == ET_FIT_CONVENTIONAL || et_shell_closed(&f.shell)), "shell") && ok;
         used = 4 * bits;
         ok = gen_check(g, et_exact_fit_make(&again, c.data, c.nov, c.net, &c.options, &used, NULL, NULL) == ET_OK && used >= 4 * bits, "again") && ok;
@@ -348,37 +353,38 @@ verdict prop_exact_fit_make_refuses(gen *g)
  * beyond it. */
 verdict prop_exact_fit_make_extremes(gen *g)
 {
+    const bool across = gen_chance(g, 2);
     problem c;
     et_fit f;
     et_message message = {""};
+    et_status status;
     bool ok;
     memset(&f, 0x3c, sizeof f);
     const et_fit was = f;
 
-    c.net = (et_doublenet){5, 2};
+    c.net = across ? (et_doublenet){2, 5} : (et_doublenet){5, 2};
     c.nov = et_doublenet_nov(c.net);
     c.options = et_fit_defaults();
     c.options.approach = (et_fit_approach)gen_upto(g, 2);
-    c.options.control = (et_doublenet){4, 2};
-    c.options.p = 2;
-    c.options.q = 1;
-    for (size_t at = 0; at < 10; at++)
-        c.data[at] = (et_vec3){at / 2 < 4 ? (double)(at / 2) * 0x1p-1070 : 1, at % 2 ? 0x1p-1070 : 0, 0};
+    c.options.control = across ? (et_doublenet){2, 4} : (et_doublenet){4, 2};
+    c.options.p = across ? 1 : 2;
+    c.options.q = across ? 2 : 1;
     c.options.knots = ET_KNOTRULE_FAITHFUL;
-    ok = gen_check(
-        g, et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, &message) == ET_EFORMAT && strstr(message.text, "knots") != NULL,
-        "knots 2^-1070 apart: %s", message.text);
+    for (size_t at = 0; at < 10; at++) {
+        const size_t along = across ? at % 5 : at / 2, side = across ? at / 5 : at % 2;
+        c.data[at] = (et_vec3){along < 4 ? (double)along * 0x1p-1070 : 1, side ? 0x1p-1070 : 0, 0};
+    }
+    status = et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, &message);
+    ok = gen_check(g, status == ET_EFORMAT && strstr(message.text, "knots") != NULL, "knots 2^-1070 apart: %s", message.text);
     for (size_t at = 0; at < 10; at++)
-        c.data[at] = (et_vec3){(at / 2) % 2 ? 0x1.fp1023 : -0x1.fp1023, 0, 0};
+        c.data[at] = (et_vec3){(across ? at % 5 : at / 2) % 2 ? 0x1.fp1023 : -0x1.fp1023, 0, 0};
     c.options.method = ET_PARAM_UNIFORM;
     c.options.knots = ET_KNOTRULE_PIEGL;
-    c.options.p = 3;
-    c.options.control.nx = 5;
-    ok = gen_check(g,
-                   et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, &message) == ET_EFORMAT &&
-                       strstr(message.text, "overflow") != NULL,
-                   "overflow: %s", message.text) &&
-         ok;
+    c.options.control = c.net;
+    c.options.p = across ? 1 : 3;
+    c.options.q = across ? 3 : 1;
+    status = et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, &message);
+    ok = gen_check(g, status == ET_EFORMAT && strstr(message.text, "overflow") != NULL, "overflow: %s", message.text) && ok;
     return gen_check(g, memcmp(&f, &was, sizeof f) == 0, "the fit changed") && ok ? PASS : FAIL;
 }
 
