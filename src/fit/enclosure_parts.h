@@ -52,8 +52,9 @@ typedef struct {
 
 /* N[0..p]: the basis functions of the span at x in its domain, relative error 26 p u^2 and absolute ENCLOSURE_TINY. */
 void enclosure_basis(et_dd *N, const double *u, size_t p, size_t span, double x);
-/* How many of the n functions can be given parameters of their own where they are positive (Schoenberg and Whitney): the rank of the collocation. */
-size_t enclosure_rank(const double *u, size_t n, size_t p, const double *t, size_t m);
+/* How many of the n functions (inner: without the first and last) can be given parameters of their own where they are positive: the rank of their
+ * collocation (Schoenberg and Whitney), exactly. */
+size_t enclosure_rank(const double *u, size_t n, size_t p, const double *t, size_t m, int inner);
 /* The collocation of one direction; inner: without the first and last parameter and without the first and last function. */
 et_status enclosure_direction(enclosure_system *s, const double *t, size_t m, const double *u, size_t n, size_t p, int inner);
 /* The products of two directions: row i*m2 + j; columns as numbered, n1*n2 numbers, (size_t)-1 for entries that are left out. */
@@ -63,7 +64,7 @@ void enclosure_system_free(enclosure_system *s);
 
 /* ---- verified solutions (enclosure_verify.c, enclosure_solve.c) ---- */
 
-/* Factor and verify.  ET_ERANK: a column is zero; ET_ENOCONV: no bound can be given; ET_ENOMEM. */
+/* Factor and verify a system of full rank.  ET_ENOCONV: no bound can be given; ET_ENOMEM. */
 et_status enclosure_verify(enclosure_system *s);
 /* x and radius (columns of them) for the right-hand side d, each d_i within error[i] of the exact one. */
 void enclosure_column(et_dd *x, double *radius, enclosure_system *s, const et_dd *d, const double *error);

@@ -27,49 +27,51 @@ static void gradient(enclosure_system *s)
     }
 }
 
-/* z = T'g, summed in double-double and rounded: rounded on the way, cancellation would cost the condition number once more. */
-static void to_orthonormal(double *z, enclosure_system *s)
+/* z = T'g, summed in double-double and rounded: rounded on the way, cancellation would cost the condition number once more.  Returns the greatest
+ * |z_j|, NaN if one is. */
+static double to_orthonormal(double *z, enclosure_system *s)
 {
     const size_t n = s->columns;
+    double most = 0;
 
     memset(s->z, 0, n * sizeof *s->z);
     for (size_t i = 0; i < n; i++)
         for (size_t j = i; j < n; j++)
             s->z[j] = et_dd_add(s->z[j], et_dd_mul((et_dd){s->T[i * n + j], 0}, s->g[i]));
-    for (size_t j = 0; j < n; j++)
+    for (size_t j = 0; j < n; j++) {
         z[j] = s->z[j].hi;
-}
-
-/* e = fl(T z); returns the greatest |e_i|, NaN if one is. */
-static double from_orthonormal(double *e, const double *z, const enclosure_system *s)
-{
-    const size_t n = s->columns;
-    double most = 0;
-
-    for (size_t i = 0; i < n; i++) {
-        e[i] = 0;
-        for (size_t j = i; j < n; j++)
-            e[i] += s->T[i * n + j] * z[j];
-        most = fabs(e[i]) > most || !(fabs(e[i]) <= most) ? fabs(e[i]) : most;
+        most = fabs(z[j]) > most || !(fabs(z[j]) <= most) ? fabs(z[j]) : most;
     }
     return most;
 }
 
-/* x += T T'A'W (d - A x) while that halves the step at least; at the end r, g and z belong to x. */
-static void iterate(et_dd *x, enclosure_system *s, const et_dd *d, double *z, double *e)
+/* x += fl(T z). */
+static void add_step(et_dd *x, const double *z, const enclosure_system *s)
+{
+    const size_t n = s->columns;
+
+    for (size_t i = 0; i < n; i++) {
+        double e = 0;
+        for (size_t j = i; j < n; j++)
+            e += s->T[i * n + j] * z[j];
+        x[i] = et_dd_add(x[i], (et_dd){e, 0});
+    }
+}
+
+/* x += T T'A'W (d - A x) while that halves z = T'A'W (d - A x) at least; at the end r, g and z belong to x.  Measured by z, the error shrinks by
+ * || I - B'W B || a step; in x itself it need not. */
+static void iterate(et_dd *x, enclosure_system *s, const et_dd *d, double *z)
 {
     double before = HUGE_VAL;
 
     for (;;) {
         residual(s, d, x);
         gradient(s);
-        to_orthonormal(z, s);
-        const double step = from_orthonormal(e, z, s);
-        if (!(step <= before / 2) || step == 0)
+        const double now = to_orthonormal(z, s);
+        if (!(now <= before / 2) || now == 0)
             return;
-        for (size_t j = 0; j < s->columns; j++)
-            x[j] = et_dd_add(x[j], (et_dd){e[j], 0});
-        before = step;
+        add_step(x, z, s);
+        before = now;
     }
 }
 
@@ -148,13 +150,13 @@ static int all_zero(const et_dd *d, const double *error, size_t n)
 void enclosure_column(et_dd *x, double *radius, enclosure_system *s, const et_dd *d, const double *error)
 {
     const size_t n = s->columns;
-    double *z = s->work, *e = z + n, *v = e + n, *q = v + n;
+    double *z = s->work, *v = z + n, *q = v + n;
 
     memset(x, 0, n * sizeof *x);
     memset(radius, 0, n * sizeof *radius);
     if (n == 0 || all_zero(d, error, s->rows))
         return;
-    iterate(x, s, d, z, e);
+    iterate(x, s, d, z);
     residual_error(q, s, d, error, x);
     gradient_error(v, s);
     bound(radius, s, z, q, v);

@@ -54,11 +54,12 @@ static int positive(const double *u, size_t n, size_t p, size_t j, double x)
     return x == u[j] && u[j + p] == x && x < u[j + p + 1];
 }
 
-size_t enclosure_rank(const double *u, size_t n, size_t p, const double *t, size_t m)
+size_t enclosure_rank(const double *u, size_t n, size_t p, const double *t, size_t m, int inner)
 {
+    const size_t skip = inner ? 1 : 0;
     size_t rank = 0, i = 0;
 
-    for (size_t j = 0; j < n; j++) {
+    for (size_t j = skip; j + skip < n; j++) {
         size_t k = i;
         while (k < m && !positive(u, n, p, j, t[k]))
             k++;

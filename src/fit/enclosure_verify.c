@@ -42,7 +42,7 @@ static et_status upper_factor(double *R, const enclosure_system *s)
     if (A != NULL)
         status = et_linalg_qr(R, R, A, s->rows, s->columns, A, 0);
     free(A);
-    return status == ET_EINVAL ? ET_ERANK : status; /* fewer rows than columns */
+    return status;
 }
 
 /* T = R^-1 by rows from the last one: T_i = (e_i - sum_k>i R_ik T_k) / R_ii. */
@@ -50,8 +50,8 @@ static et_status invert(double *T, const double *R, size_t n)
 {
     for (size_t i = n; i-- > 0;) {
         double *t = T + i * n;
-        if (R[i * n + i] == 0)
-            return ET_ERANK;
+        if (R[i * n + i] == 0) /* by underflow: the rank is full */
+            return ET_ENOCONV;
         t[i] = 1;
         for (size_t k = i + 1; k < n; k++) {
             const double x = R[i * n + k], *other = T + k * n;

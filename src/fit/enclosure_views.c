@@ -30,8 +30,6 @@ static const char *const view_names[] = {"bottom view", "top view", "both views"
 
 static et_status told(et_message *message, et_status status, const char *where, double norm, double inverse)
 {
-    if (status == ET_ERANK)
-        return et_status_fail(message, status, "%s: the data do not determine the control points", where);
     if (status == ET_ENOCONV)
         return et_status_fail(message, status, "%s: no bound can be given in twice the working precision; the condition number is about %.1g", where,
                               norm * inverse);
@@ -381,23 +379,32 @@ static void close_border(enclosure_solution *x, const enclosure_job *k)
 
 /* ---- rank ---- */
 
-/* Schoenberg and Whitney, exactly.  With fixed corners a function that belongs to nothing else (a side of two) may go without. */
+static et_status check_direction(const enclosure_job *k, size_t w, const char *name, const double *u, size_t n, size_t p, const double *t, size_t m,
+                                 int inner)
+{
+    const size_t rank = enclosure_rank(u, n, p, t, m, inner), wanted = inner ? n - 2 : n;
+
+    if (rank == wanted)
+        return ET_OK;
+    return et_status_fail(k->message, ET_ERANK, "%s, direction %s: the %zu parameters determine only %zu of %zu control points", view_names[w], name,
+                          m, rank, wanted);
+}
+
+/* A product has full rank if and only if both directions have, and so has the problem of glued views.  With fixed corners nothing changes, unless the
+ * other side is two: then the first and last function belong to corners alone. */
 static et_status check_rank(const enclosure_job *k)
 {
     const et_doublenet c = k->control, n = k->data;
+    const int spared = k->fixed && k->options->approach != ET_FIT_IMPROVED;
+    et_status status = ET_OK;
 
-    for (size_t w = 0; w < 2; w++) {
+    for (size_t w = 0; status == ET_OK && w < 2; w++) {
         const et_surface *s = &k->fit->shell.view[w];
-        const size_t u = enclosure_rank(s->u, c.nx, s->p, k->fit->s[w], n.nx), v = enclosure_rank(s->v, c.ny, s->q, k->fit->r[w], n.ny);
-        const int spared = k->fixed && k->options->approach != ET_FIT_IMPROVED;
-        if (u < c.nx && !(spared && c.ny == 2))
-            return et_status_fail(k->message, ET_ERANK, "%s, direction u: the %zu parameters determine only %zu of %zu control points", view_names[w],
-                                  n.nx, u, c.nx);
-        if (v < c.ny && !(spared && c.nx == 2))
-            return et_status_fail(k->message, ET_ERANK, "%s, direction v: the %zu parameters determine only %zu of %zu control points", view_names[w],
-                                  n.ny, v, c.ny);
+        status = check_direction(k, w, "u", s->u, c.nx, s->p, k->fit->s[w], n.nx, spared && c.ny == 2);
+        if (status == ET_OK)
+            status = check_direction(k, w, "v", s->v, c.ny, s->q, k->fit->r[w], n.ny, spared && c.nx == 2);
     }
-    return ET_OK;
+    return status;
 }
 
 /* Border data see border control points alone: no end knot has more than p + 1 equals. */
