@@ -10,7 +10,7 @@
 
 enum { REWEIGHTED = 6,                    /* steps of least squares, at most: each costs a twentieth of the others */
        PATIENCE = 5 };                    /* steps without a smaller gap */
-#define ACCURACY 0x1p-36                  /* of a step, in energy; of one that is only tried */
+#define ACCURACY 0x1p-50                  /* of a step, in energy; of one that is only tried */
 #define TRIED 0x1p-12
 
 /* A vector of the cone's space. */
