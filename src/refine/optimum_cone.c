@@ -302,16 +302,19 @@ static void solve(state *a, double accuracy)
     optimum_solve_take(a->step, a->dy, &a->full);
     for (size_t c = 0; c < nov; c++) {
         const scaling *const w = &a->scale[c];
-        const double e = w->eta * w->eta, q0 = w->q.t, down = e * (2 * q0 * q0 - 1);
-        double along;
+        const double *const q = w->q.r, qq = dot(q, q), e = w->eta * w->eta, q0 = w->q.t;
+        double along, share;
 
         for (size_t d = 0; d < 3; d++)
             a->dx[c].r[d] = -a->dy[3 * c + d];
-        along = dot(w->q.r, a->dx[c].r);
-        a->dx[c].t = (a->h[c].t - 1 - 2 * e * q0 * along) / down;
-        along = e * 2 * (q0 * a->dx[c].t + along);
-        for (size_t d = 0; d < 3; d++)
-            a->dy[3 * c + d] = along * w->q.r[d] + e * a->dx[c].r[d] - a->y[3 * c + d] - a->h[c].r[d];
+        along = dot(q, a->dx[c].r);
+        a->dx[c].t = ((a->h[c].t - 1) / e - 2 * q0 * along) / (1 + 2 * qq);
+        share = 2 * q0 * (a->h[c].t - 1) / (1 + 2 * qq) + (qq > 0 ? e * along / (qq * (1 + 2 * qq)) : 0);
+        for (size_t d = 0; d < 3; d++) {   /* along q and across it: near the boundary q is long, and the two differ by its square */
+            const double across = a->dx[c].r[d] - (qq > 0 ? along / qq * q[d] : 0);
+
+            a->dy[3 * c + d] = e * across + share * q[d] - a->y[3 * c + d] - a->h[c].r[d];
+        }
     }
 }
 
