@@ -1,4 +1,5 @@
 #include "etalon/fit/enclosure.h"
+#include "fit/enclosure_parts.h"
 #include "gen.h"
 #include "golden.h"
 #include <flint/fmpq.h>
@@ -845,6 +846,43 @@ verdict prop_enclosure_make_hopeless(gen *g)
     ok = gen_check(g, et_enclosure_refine(&f, &e, c.data, c.nov, &c.options, &message) == want, "refine: %s", message.text) && ok;
     ok = gen_check(g, memcmp(&e, &was, sizeof e) == 0 && memcmp(&first, f.shell.view[0].points, sizeof first) == 0, "unchanged") && ok;
     et_fit_free(&f);
+    return ok ? PASS : FAIL;
+}
+
+/* The terms of the bound that rounding alone never fills, filled on purpose: right-hand sides moved by the whole of their error (kind 0), or entries of
+ * the matrix by 2^-30 of themselves and `relative` says so (kind 1).  Then the solutions differ by a good part of the radius, and never by more; the
+ * factor is for the products of 2^-30 with itself and with the condition, which `relative`, some u^2 in earnest, leaves out. */
+verdict prop_enclosure_make_uncertain(gen *g)
+{
+    static const double t[6] = {0, 0.125, 0.375, 0.5, 0.8125, 1}, u[8] = {0, 0, 0, 0.25, 0.625, 1, 1, 1};
+    enclosure_system s, moved;
+    et_dd d[6], e[6], x[5], y[5];
+    double error[6], none[6] = {0}, r[5], q[5];
+    const int kind = (int)gen_upto(g, 1);
+    bool ok;
+
+    if (enclosure_direction(&s, t, 6, u, 5, 2, 0) != ET_OK ||
+        enclosure_direction(&moved, t, 6, u, 5, 2, 0) != ET_OK)
+        return FAIL;
+    for (size_t i = 0; i < 6; i++) {
+        d[i] = e[i] = (et_dd){(double)gen_between(g, 1, 16) * (gen_upto(g, 1) ? -1 : 1), 0};
+        error[i] = kind == 0 && gen_upto(g, 3) ? 0x1p-20 : 0;
+        e[i].hi += gen_upto(g, 1) ? error[i] : -error[i];
+    }
+    for (size_t k = 0; kind == 1 && k < 18; k++)
+        moved.a[k].hi *= 1 + (gen_upto(g, 1) ? 0x1p-30 : -0x1p-30);
+    s.relative = kind == 1 ? 0x1p-30 : s.relative;
+    ok = enclosure_verify(&s) == ET_OK && enclosure_verify(&moved) == ET_OK;
+    if (ok) {
+        enclosure_column(x, r, &s, d, error);
+        enclosure_column(y, q, &moved, e, none);
+        for (size_t j = 0; j < 5; j++) {
+            const double off = fabs(et_dd_sub(x[j], y[j]).hi);
+            ok = gen_check(g, off <= (r[j] + q[j]) * (1 + 0x1p-16), "kind %d: %g off, radius %g", kind, off, r[j]) && ok;
+        }
+    }
+    enclosure_system_free(&s);
+    enclosure_system_free(&moved);
     return ok ? PASS : FAIL;
 }
 
