@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { ROUNDS = 4 };
+
 et_optimum_options et_optimum_defaults(void)
 {
     return (et_optimum_options){100, 1e-12};
@@ -135,18 +137,19 @@ static void move_points(job *k)
     }
 }
 
-/* The better of start and found, by what is proved of them. */
+/* The better of the points so far and those found, by what is proved of them. */
 static void deliver_points(job *k)
 {
     const size_t n = et_doublenet_nov(k->model.control);
+    double found = 0;
 
     move_points(k);
     et_shell_scatter(&k->fit->shell, k->found, n);
-    optimum_ball_value(&k->result.value, NULL, k->fit, &k->model, k->data);
-    if (k->result.value <= k->result.before)
-        return;
-    et_shell_scatter(&k->fit->shell, k->start, n);
-    k->result.value = k->result.before;
+    optimum_ball_value(&found, NULL, k->fit, &k->model, k->data);
+    if (found <= k->result.value)
+        k->result.value = found;
+    else
+        et_shell_scatter(&k->fit->shell, k->start, n);
 }
 
 /* The better of the dual found and the same polished. */
@@ -167,21 +170,36 @@ static et_status deliver_dual(job *k)
     return status;
 }
 
+/* From the points so far.  1 if so little of E is left that it is rounding of the residuals begun with: then another round sees more of it. */
+static int improve(job *k, et_status *status)
+{
+    const double before = k->result.value;
+    double again = 0;
+
+    optimum_ball_value(&again, k->search.D, k->fit, &k->model, k->data);
+    normalise(k);
+    memset(k->search.x, 0, 3 * k->model.m * sizeof *k->search.x);
+    *status = optimum_cone_run(&k->search);
+    if (*status == ET_OK)
+        deliver_points(k);
+    return *status == ET_OK && k->search.status == ET_OK && k->search.iterations < k->search.limit && k->result.value < before * 0x1p-16;
+}
+
 static et_status run(job *k)
 {
-    et_status status;
+    et_status status = ET_OK;
 
-    optimum_ball_value(&k->result.before, k->search.D, k->fit, &k->model, k->data);
+    optimum_ball_value(&k->result.before, NULL, k->fit, &k->model, k->data);
     if (!isfinite(k->result.before))
         return ET_EINVAL;
-    normalise(k);
+    k->result.value = k->result.before;
     k->search.model = &k->model;
-    status = optimum_cone_run(&k->search);
+    for (size_t round = 0; round < ROUNDS && improve(k, &status); round++)
+        continue;
     if (status == ET_OK)
         status = deliver_dual(k);
     if (status != ET_OK)
         return status;
-    deliver_points(k);
     k->result.iterations = k->search.iterations;
     k->result.gap = k->result.value - k->result.lower;
     if (k->result.gap > 0)                /* at most half an ulp too small */

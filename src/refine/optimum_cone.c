@@ -229,8 +229,11 @@ static int took(state *a, int last_of_start)
         memcpy(s->weight, a->weight, 6 * a->model->nov * sizeof *a->weight);
     }
     a->idle = last_of_start || a->value - a->dual < before * 0.75 ? 0 : a->idle + 1;
-    if (s->iterations < s->room)
+    if (s->iterations < s->room) {
         s->history[s->iterations] = a->value * s->unit;
+        if (s->iterations > 0)
+            s->history[s->iterations] = fmin(s->history[s->iterations], s->history[s->iterations - 1]);
+    }
     s->iterations++;
     s->status = et_task_step(s->task, s->iterations, s->limit);
     return s->status != ET_OK || s->iterations >= s->limit || !(a->value - a->dual > s->tolerance / 4 * a->value) || a->idle >= PATIENCE;
@@ -416,7 +419,7 @@ et_status optimum_cone_run(optimum_search *search)
         a.dual = 0;
         for (size_t c = 0; c < a.model->nov; c++)
             search->weight[6 * c] = search->weight[6 * c + 3] = search->weight[6 * c + 5] = 1;
-        if (a.value > 0 && search->limit > 0 && !start(&a))
+        if (a.value > 0 && search->iterations < search->limit && !start(&a))
             iterate(&a);
     }
     release(&a);
