@@ -849,9 +849,9 @@ verdict prop_enclosure_make_hopeless(gen *g)
     return ok ? PASS : FAIL;
 }
 
-/* The terms of the bound that rounding alone never fills, filled on purpose: right-hand sides moved by the whole of their error (kind 0), or entries of
- * the matrix by 2^-30 of themselves and `relative` says so (kind 1).  Then the solutions differ by a good part of the radius, and never by more; the
- * factor is for the products of 2^-30 with itself and with the condition, which `relative`, some u^2 in earnest, leaves out. */
+/* The terms of the bound that rounding alone never fills, filled on purpose: right-hand sides moved by the whole of their error (kind 0), or entries
+ * of the matrix by 2^-30 of themselves, and `relative` says so (kind 1).  The radius must cover what that does to the solution; the factor is for the
+ * products of 2^-30 with itself and with the condition, which `relative`, some u^2 in earnest, leaves out. */
 verdict prop_enclosure_make_uncertain(gen *g)
 {
     static const double t[6] = {0, 0.125, 0.375, 0.5, 0.8125, 1}, u[8] = {0, 0, 0, 0.25, 0.625, 1, 1, 1};
