@@ -5,6 +5,7 @@
 #include "etalon/io/file.h"
 #include <errno.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -143,7 +144,7 @@ static et_status put_all(FILE *f, json_t *rows, const evaluation *e, const et_su
 {
     const size_t nwork = et_surface_work(s);
     size_t count = 0;
-    const et_status fits = et_size_mul(&count, e->order + 1, e->order + 2);
+    const et_status fits = e->order < SIZE_MAX - 1 ? et_size_mul(&count, e->order + 1, e->order + 2) : ET_ENOMEM;
     et_vec3 *D = fits == ET_OK ? et_size_array(count /= 2, sizeof *D) : NULL;
     double *work = et_size_array(nwork, sizeof *work);
     et_status status = D && work ? ET_OK : ET_ENOMEM;

@@ -77,6 +77,9 @@ END
 want "evaluate as JSON" 0 sh -c "echo 0.5 0.5 | '$etalon' evaluate exact.joint.json - --exact --json"
 holds "one row" "len(j['values']) == 1 and len(j['values'][0]) == 5" out
 says "third derivatives want --exact" 2 "want --exact" "$etalon" evaluate exact.joint.json uv.txt --order 3
+for o in 4294967295 18446744073709551614 18446744073709551615; do
+    says "order $o" 70 "memory" timeout 20 "$etalon" evaluate exact.joint.json uv.txt --order $o --exact
+done
 printf '0 0\n0.5 nan\n' > bad.txt
 says "NaN in the parameters" 3 "bad.txt:2" "$etalon" evaluate exact.joint.json bad.txt
 printf '0 0 0\n' > three.txt
