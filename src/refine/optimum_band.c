@@ -67,13 +67,17 @@ static void subtract(double *restrict C, const double *restrict A, const double 
 }
 
 /* The diagonal tile.  given: its diagonal before anything was subtracted. */
-static void factor_tile(double *T, const double *given)
+static void factor_tile(double *T, const double *given, unsigned char *poor)
 {
     for (size_t k = 0; k < SIDE; k++) {
         double *const column = T + k * SIDE;
 
-        if (!(column[k] > given[k] * 0x1p-48))
+        if (poor != NULL && !(column[k] > given[k] * 0x1p-36)) {
+            poor[k] = 1;
+            column[k] = given[k] > 0 ? given[k] * 0x1p+200 : 1;
+        } else if (!(column[k] > given[k] * 0x1p-48)) {
             column[k] = given[k] > 0 ? given[k] * 0x1p-48 : 1;
+        }
         column[k] = sqrt(column[k]);
         for (size_t i = k + 1; i < SIDE; i++)
             column[i] /= column[k];
@@ -95,7 +99,7 @@ static void divide(double *restrict C, const double *restrict L)
     }
 }
 
-void optimum_band_factor(optimum_band *band)
+void optimum_band_factor(optimum_band *band, unsigned char *poor)
 {
     for (size_t J = 0; J < band->tiles; J++) {
         const size_t last = J + band->width < band->tiles ? J + band->width : band->tiles - 1;
@@ -107,7 +111,7 @@ void optimum_band_factor(optimum_band *band)
             for (size_t K = I > band->width ? I - band->width : 0; K < J; K++)
                 subtract(tile_at(band, I, J), tile_at(band, I, K), tile_at(band, J, K));
             if (I == J)
-                factor_tile(tile_at(band, J, J), given);
+                factor_tile(tile_at(band, J, J), given, poor == NULL ? NULL : poor + J * SIDE);
             else
                 divide(tile_at(band, I, J), tile_at(band, J, J));
         }

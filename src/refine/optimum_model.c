@@ -84,6 +84,18 @@ static void evaluate(optimum_axis *a)
     }
 }
 
+/* Whatever is not zero: where the ends see more than the first and the last control point, columns that depend on each other in one direction need not
+ * do so in the net. */
+static void keep_all(optimum_axis *a)
+{
+    const size_t w = a->p + 1;
+
+    for (size_t k = 0; k < a->nt * w; k++)
+        if (a->value[k] != 0)
+            a->keep[a->first[k / w] + k % w] = 1;
+    a->whole = 1;
+}
+
 static int alone(const optimum_axis *a, size_t i, size_t j)
 {
     for (size_t k = 0; k <= a->p; k++)
@@ -228,10 +240,10 @@ static void number_places(optimum_model *m, int rows)
         for (size_t b = 0; b < length; b++) {
             const size_t i = rows ? a : b, j = rows ? b : a;
             const int border = i == 0 || j == 0 || i == nu - 1 || j == nv - 1, kept = m->u.keep[i] && m->v.keep[j];
-            size_t *const bottom = &m->place[i * nv + j], *const top = &m->place[(nu + i) * nv + j];
+            const size_t below = i * nv + j, above = (nu + i) * nv + j;
 
-            *bottom = kept ? m->m++ : NONE;
-            *top = border || !kept ? *bottom : m->m++;
+            m->place[below] = kept && !m->drop[below] ? m->m++ : NONE;
+            m->place[above] = border ? m->place[below] : kept && !m->drop[above] ? m->m++ : NONE;
         }
 }
 
@@ -279,18 +291,56 @@ static et_status allocate(optimum_model *m)
     if (et_size_mul(&terms, m->u.table ? m->u.n : m->u.p + 1, m->v.table ? m->v.n : m->v.p + 1) != ET_OK || et_size_mul(&terms, terms, m->nov) != ET_OK)
         return ET_ENOMEM;
     m->place = et_size_array(et_doublenet_non(m->control), sizeof *m->place);
+    m->drop = et_size_array(et_doublenet_non(m->control), 1);
     m->start = et_size_array(m->nov + 1, sizeof *m->start);
     m->at = et_size_array(terms, sizeof *m->at);
     m->value = et_size_array(terms, sizeof *m->value);
     m->node = et_size_array(m->nov, sizeof *m->node);
-    return m->place && m->start && m->at && m->value && m->node ? ET_OK : ET_ENOMEM;
+    return m->place && m->drop && m->start && m->at && m->value && m->node ? ET_OK : ET_ENOMEM;
+}
+
+static void lay_narrow(optimum_model *m)
+{
+    size_t by_rows;
+
+    lay(m, 1);
+    by_rows = m->half;
+    lay(m, 0);
+    if (by_rows <= m->half)
+        lay(m, 1);
+}
+
+/* Leave out nodes whose columns seem to depend on others'.  What is left out for this is not proved to change nothing: no bound is then proved. */
+static et_status leave_out(optimum_model *m)
+{
+    optimum_band band;
+    et_status status = optimum_band_new(&band, m->m, m->half);
+    double *const one = et_size_array(m->nov, sizeof *one);
+    unsigned char *const poor = et_size_array(optimum_band_work(&band), 1);
+
+    if (one == NULL || poor == NULL)
+        status = ET_ENOMEM;
+    for (size_t c = 0; status == ET_OK && c < m->nov; c++)
+        one[c] = 1;
+    if (status == ET_OK) {
+        optimum_model_scalar(&band, m, one);
+        optimum_band_factor(&band, poor);
+    }
+    for (size_t k = 0; status == ET_OK && k < et_doublenet_non(m->control); k++)
+        if (m->place[k] != NONE && poor[m->place[k]]) {
+            m->drop[k] = 1;
+            m->u.whole = 0;
+        }
+    free(one);
+    free(poor);
+    optimum_band_free(&band);
+    return status;
 }
 
 et_status optimum_model_new(optimum_model *model, const et_fit *fit)
 {
     const et_surface *const s = &fit->shell.view[ET_BOTTOM];
-    size_t by_rows;
-    int changed;
+    int changed, clamped;
     et_status status;
 
     memset(model, 0, sizeof *model);
@@ -302,20 +352,26 @@ et_status optimum_model_new(optimum_model *model, const et_fit *fit)
         status = axis_new(&model->v, s->v, s->nv, s->q, fit->r[ET_BOTTOM], fit->data.ny);
     if (status != ET_OK)
         return status;
-    changed = choose_basis(model);
+    clamped = model->u.clamped && model->v.clamped;
+    if (!clamped) {
+        keep_all(&model->u);
+        keep_all(&model->v);
+    }
+    changed = clamped ? choose_basis(model) : -1;
     status = allocate(model);
     if (status != ET_OK)
         return status;
     for (size_t c = 0; c < model->nov; c++)
         model->node[c] = et_doublenet_index(fit->data, c + 1);
-    lay(model, changed != 0);
-    if (changed < 0) {                    /* then either order will do */
-        by_rows = model->half;
-        lay(model, 0);
-        if (by_rows <= model->half)
-            lay(model, 1);
+    if (changed >= 0)
+        lay(model, changed);
+    else
+        lay_narrow(model);                /* either order will do */
+    if (!clamped) {
+        status = leave_out(model);
+        lay_narrow(model);
     }
-    return ET_OK;
+    return status;
 }
 
 void optimum_model_free(optimum_model *model)
@@ -323,6 +379,7 @@ void optimum_model_free(optimum_model *model)
     axis_free(&model->u);
     axis_free(&model->v);
     free(model->place);
+    free(model->drop);
     free(model->start);
     free(model->at);
     free(model->value);

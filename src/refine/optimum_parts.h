@@ -18,8 +18,9 @@ void optimum_band_free(optimum_band *band);
 void optimum_band_clear(optimum_band *band);
 double *optimum_band_at(const optimum_band *band, size_t i, size_t j);       /* i >= j, i - j at most half; of a tile the next */
                                           /* row is the next double, the next column the next but OPTIMUM_SIDE - 1 */
-/* L L' = the matrix; a pivot that rounding may have spoilt is replaced. */
-void optimum_band_factor(optimum_band *band);
+/* L L' = the matrix; a pivot that rounding may have spoilt is replaced.  poor (may be null; optimum_band_work zeros): 1 for rows that seem to depend on those
+ * before, which are then left out. */
+void optimum_band_factor(optimum_band *band, unsigned char *poor);
 void optimum_band_solve(const optimum_band *band, double *x, size_t stride, double *work);
 size_t optimum_band_work(const optimum_band *band);                          /* doubles of workspace to solve */
 
@@ -44,6 +45,7 @@ typedef struct {
     size_t nov, m;                        /* data classes; control classes kept */
     size_t half;                          /* the greatest distance of two that meet */
     optimum_axis u, v;
+    unsigned char *drop;                  /* [view][i][j]: control nodes left out though both their columns are kept */
     size_t *place;                        /* [view][i][j]: place of a control node among the m, or SIZE_MAX */
     size_t *start, *at;                   /* data class c - 1 has the terms start[c-1] .. start[c]-1: places, */
     double *value;                        /* values */

@@ -77,7 +77,7 @@ static void factor(optimum_solver *solver)
         optimum_model_scalar(&solver->band, solver->model, solver->weight);
     for (size_t k = 0; k < n; k++)
         *optimum_band_at(&solver->band, k, k) *= 1 + solver->ridge;
-    optimum_band_factor(&solver->band);
+    optimum_band_factor(&solver->band, NULL);
 }
 
 void optimum_solve_factor(optimum_solver *solver, const double *weight)
