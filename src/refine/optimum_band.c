@@ -72,7 +72,7 @@ static void factor_tile(double *T, const double *given, unsigned char *poor)
     for (size_t k = 0; k < SIDE; k++) {
         double *const column = T + k * SIDE;
 
-        if (poor != NULL && !(column[k] > given[k] * 0x1p-36)) {
+        if (poor != NULL && !(column[k] > given[k] * 0x1p-44)) {
             poor[k] = 1;
             column[k] = given[k] > 0 ? given[k] * 0x1p+200 : 1;
         } else if (!(column[k] > given[k] * 0x1p-48)) {

@@ -329,7 +329,7 @@ static et_status leave_out(optimum_model *m)
     for (size_t k = 0; status == ET_OK && k < et_doublenet_non(m->control); k++)
         if (m->place[k] != NONE && poor[m->place[k]]) {
             m->drop[k] = 1;
-            m->u.whole = 0;
+            m->u.whole = m->u.clamped = 0;
         }
     free(one);
     free(poor);
@@ -363,14 +363,13 @@ et_status optimum_model_new(optimum_model *model, const et_fit *fit)
         return status;
     for (size_t c = 0; c < model->nov; c++)
         model->node[c] = et_doublenet_index(fit->data, c + 1);
-    if (changed >= 0)
+    if (changed >= 0) {
         lay(model, changed);
-    else
-        lay_narrow(model);                /* either order will do */
-    if (!clamped) {
-        status = leave_out(model);
-        lay_narrow(model);
+        return ET_OK;
     }
+    lay_narrow(model);                    /* either order will do */
+    status = leave_out(model);
+    lay_narrow(model);
     return status;
 }
 
