@@ -208,7 +208,7 @@ static int feasible(state *a)
 {
     optimum_model_adjoint(a->step, a->model, a->y);
     for (size_t k = 0; k < 3 * a->model->m; k++)
-        if (!(fabs(a->step[k]) < 0x1p-30))
+        if (!(fabs(a->step[k]) < 0x1p-40))
             return 0;
     return 1;
 }
