@@ -100,7 +100,7 @@ et_status cli_refine_settle(cli_refine_options *o, et_message *message)
         return et_status_fail(message, ET_EINVAL, "--spread, --box and --vmax must not be negative");
     if (o->ceres.iterations < 1 || !(o->ceres.tolerance > 0))
         return et_status_fail(message, ET_EINVAL, "--ceres-iterations must be at least 1, --ceres-tolerance greater than 0");
-    if (o->optimum.iterations < 1 || !(o->optimum.gap > 0))
-        return et_status_fail(message, ET_EINVAL, "--optimum-iterations must be at least 1, --optimum-gap greater than 0");
+    if (o->optimum.iterations < 1 || !(o->optimum.gap >= 0))
+        return et_status_fail(message, ET_EINVAL, "--optimum-iterations must be at least 1, --optimum-gap not negative");
     return ET_OK;
 }

@@ -40,8 +40,9 @@ static et_status add(parameters *p, double u, double v)
 /* "u v" or "u,v"; 0 for a blank or comment line, -1 for anything else. */
 static int two_numbers(double uv[2], char *line)
 {
-    char *at = line + strspn(line, " \t\r\n");
+    char *at = line + (strncmp(line, "\xef\xbb\xbf", 3) == 0 ? 3 : 0);      /* some editors begin a file with a byte order mark */
 
+    at += strspn(at, " \t\r\n");
     if (*at == '\0' || *at == '#')
         return 0;
     for (size_t k = 0; k < 2; k++) {
@@ -238,6 +239,7 @@ et_status cli_evaluate(int argc, char **argv, et_message *message)
     et_status status = cli_parse(positional, &n, argc, argv, options, OWN + CLI_COMMON, &help, message);
     if (status != ET_OK || run.help)
         return status;
+    cli_end_at_once();                    /* a derivative of high order is long in the making */
     if (e.order > FAST_ORDER && !e.exact)
         return et_status_fail(message, ET_EINVAL, "--order %zu: derivatives above the second want --exact", e.order);
     if (run.json && strcmp(e.output, "-") != 0)

@@ -94,10 +94,9 @@ static void tell(const et_surface_file *s, const fit_truth *truth, int exact)
 static et_status finish(const et_surface_file *s, const fit_truth *truth, double overshoot, const fit_outputs *out, const cli_run *run,
                         et_message *message)
 {
-    const char *const paths[] = { out->surface, out->iges, out->bounds };
-    et_status status = cli_distinct(paths, 3, message);
+    et_status status = ET_OK;
 
-    if (status == ET_OK && out->iges)
+    if (out->iges)
         status = et_iges_write(out->iges, &s->fit.shell, &s->frame, message);
     if (status == ET_OK && out->bounds)
         status = write_bounds(out->bounds, s, &truth->enclosure, message);
@@ -180,6 +179,10 @@ et_status cli_fit_command(int argc, char **argv, et_message *message)
         return status;
     if (run.exact && (refine || out.bounds))
         return et_status_fail(message, ET_EINVAL, "--exact leaves nothing to refine and no error to bound: without --refine-solution and --bounds");
+    const char *const paths[] = { out.surface, out.iges, out.bounds };
+    status = cli_distinct(paths, 3, message);
+    if (status != ET_OK)
+        return status;
     cli_end_at_once();
     if (faithful)
         choice.knots = ET_KNOTRULE_FAITHFUL;

@@ -246,6 +246,11 @@ et_status cli_fit(et_surface_file *surface, const et_net_file *net, const et_fit
         et_json_free_surface(&made);
         return et_status_fail(message, status, "the fit cannot be measured: %s", et_status_text(status));
     }
+    if (!isfinite(made.error.nov) || !isfinite(made.error.non) || !isfinite(made.seam_gap)) {
+        et_json_free_surface(&made);
+        return et_status_fail(message, ET_EFORMAT, "the squares of distances overflow: coordinates of this size want --exact%s",
+                              run->exact ? ", and here even the errors are beyond all doubles" : ", or a cloud mapped to the unit cube");
+    }
     *surface = made;
     return ET_OK;
 }

@@ -71,7 +71,24 @@ static et_status matches(const et_surface_file *surface, const et_net_file *net,
     return ET_OK;
 }
 
-/* A surface tells its error at its net; another net of the same sides has another one.  1e-6: files of other programs round otherwise. */
+/* How far two honest measures of E may be apart: each of nov distances by the roundings of its surface point, 7(p + q) u of the largest coordinate, by
+ * those of the difference and the root, 4 u, three coordinates together sqrt 3 < 2; twice, since either may be off. */
+static double rounding(const et_surface_file *surface, const et_net_file *net)
+{
+    const et_surface *view = surface->fit.shell.view;
+    const size_t nov = et_doublenet_nov(net->net), points = view[0].nu * view[0].nv;
+    double most = 0;
+
+    for (size_t c = 0; c < nov; c++)
+        most = fmax(most, fmax(fabs(net->weights[c].x), fmax(fabs(net->weights[c].y), fabs(net->weights[c].z))));
+    for (size_t k = 0; k < 2 * points; k++) {
+        const et_vec3 P = view[k / points].points[k % points];
+        most = fmax(most, fmax(fabs(P.x), fmax(fabs(P.y), fabs(P.z))));
+    }
+    return 2 * (double)nov * (double)(7 * (view[0].p + view[0].q) + 4) * 2 * most * 0x1p-53;
+}
+
+/* A surface tells its error at its net; another net of the same sides has another one.  1e-6: files of other programs may hold fewer digits. */
 static et_status belongs(const et_surface_file *surface, const et_net_file *net, const refine_files *f, const char *path, et_message *message)
 {
     et_surface_file here = *surface;
@@ -79,7 +96,7 @@ static et_status belongs(const et_surface_file *surface, const et_net_file *net,
 
     if (status != ET_OK)
         return et_status_fail(message, status, "%s cannot be measured: %s", path, et_status_text(status));
-    if (fabs(here.error.nov - surface->error.nov) > 1e-6 * fmax(here.error.nov, surface->error.nov) + 1e-12)
+    if (fabs(here.error.nov - surface->error.nov) > 1e-6 * fmax(here.error.nov, surface->error.nov) + rounding(surface, net))
         return et_status_fail(message, ET_EFORMAT, "%s was not fitted to the net in %s: its error there is %.6g, not %.6g", path, f->net, here.error.nov,
                               surface->error.nov);
     return ET_OK;
@@ -103,6 +120,8 @@ static et_status run_it(const char *path, const refine_files *f, const cli_refin
             const et_task task = cli_task(run, cli_algorithm_name((size_t)f->algorithm));
             status = cli_refine(&refined, &surface, net.weights, (cli_algorithm)f->algorithm, o, run->seed, 0, &task, message);
             cli_task_end(run);
+            if (status == ET_OK && message->text[0])          /* done, but with something to tell */
+                cli_say(run, "warning: %s", message->text);
             if (status == ET_OK || status == ET_ESTOPPED) {
                 status = finish(&refined, f, run, message);
                 cli_refined_free(&refined);
