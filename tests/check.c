@@ -425,7 +425,7 @@ static void random_all(char **names, size_t n, uint64_t seed, size_t runs)
             continue;
         if (begun >= AT_ONCE)
             finish_property(&jobs[begun % AT_ONCE]);
-        jobs[begun % AT_ONCE] = (job){ .p = p, .b = shared + begun % AT_ONCE, .seed = seed, .runs = runs };
+        jobs[begun % AT_ONCE] = (job){ .p = p, .b = shared + begun % AT_ONCE, .seed = seed, .runs = (runs + p->in - 1) / p->in };
         start_property(&jobs[begun % AT_ONCE]);
         begun++;
     }

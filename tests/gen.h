@@ -12,7 +12,8 @@
 
 typedef struct gen gen;
 typedef enum { PASS, FAIL, SKIP } verdict;
-typedef struct { const char *name; verdict (*run)(gen *g); } property;
+/* in: a property whose cases are long says "One case in N." in a comment of its own on the line before it, and gets that share of the cases. */
+typedef struct { const char *name; verdict (*run)(gen *g); size_t in; } property;
 extern const property properties[];      /* generated; ends with a null name */
 
 uint64_t gen_upto(gen *g, uint64_t max);                 /* 0 .. max; 0 the simplest */

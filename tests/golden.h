@@ -2,8 +2,8 @@
  *
  * Columns, separated by tabs:  function  class  reason  arguments  wanted
  * arguments and wanted are lists separated by blanks; reals are hex floats.  Classes: `exact` (bit for bit), `ulp K` (within K ulps of the wanted,
- * correctly rounded value), `abs T` (within T, a proved bound written in hex), `bits` (a seeded replay: bit for bit), `residual K` (the check itself
- * is a backward error in eps).
+ * correctly rounded value), `abs T` (within T, a proved bound written in hex), `gap T` (an optimum, within the gap of its certificate), `bits` (a seeded
+ * replay: bit for bit), `residual K` (the check itself is a backward error in eps).
  */
 #ifndef TESTS_GOLDEN_H
 #define TESTS_GOLDEN_H

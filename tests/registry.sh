@@ -13,8 +13,8 @@ for n in $props; do echo "verdict prop_$n(gen *g);"; done
 for n in $golds; do echo "verdict gold_$n(const row *r);"; done
 for n in $truths; do echo "verdict true_$n(const row *r);"; done
 echo 'const property properties[] = {'
-for n in $props; do echo "    { \"$n\", prop_$n },"; done
-echo '    { 0, 0 } };'
+for n in $props; do echo "    { \"$n\", prop_$n, $(grep -hB 1 "^verdict prop_$n(gen \*g)$" $files | sed -nE 's|^/\* One case in ([1-9][0-9]*)\..*|\1|p' | grep . || echo 1) },"; done
+echo '    { 0, 0, 0 } };'
 echo 'const golden goldens[] = {'
 for n in $golds; do echo "    { \"$n\", gold_$n },"; done
 echo '    { 0, 0 } };'

@@ -3,7 +3,7 @@
 
 Where parameters repeat, data share a surface point, and bilinear patches over parameters 0 and 1 only have no others but their corners: the least sum is that of
 a geometric median for each corner: of points on a line the middle one, of three Fermat's point, of the vertices of a regular polygon its centre, of four in a plane
-the crossing of the diagonals, else by Weiszfeld's steps in 50 decimals, sped up by Newton's.  Rows `abs T`: half of the gap allowed, 1e-11 of the value.
+the crossing of the diagonals, else by Weiszfeld's steps in 50 decimals, sped up by Newton's.  Rows `gap T`: half of the gap allowed, 1e-11 of the value.
 """
 from decimal import Decimal as D, getcontext
 
@@ -97,7 +97,7 @@ def arguments(s, r, data):
 
 def emit(function, reason, args, value):
     bound = float(value * RELATIVE) if value else 2.0**-60
-    print("\t".join([function, "abs " + show(bound), reason, args, show(float(value))]))
+    print("\t".join([function, "gap " + show(bound), reason, args, show(float(value))]))
 
 
 def corners(reason, s, r, data, of=median):
