@@ -28,25 +28,85 @@ static int positive(const optimum_axis *a, size_t j, double t)
     return left && right;
 }
 
+static int repeated(const optimum_axis *a, size_t i)
+{
+    return i > 0 && inside(a, a->t[i]) == inside(a, a->t[i - 1]);
+}
+
 /* The greatest set of columns with an increasing choice of parameters at which they are positive.  By the total positivity of B-splines
  * (Schoenberg and Whitney 1953; de Boor 1976) its columns are independent, and there are as many as the rank: the others depend on them. */
-static void choose(optimum_axis *a)
+static size_t choose_first(optimum_axis *a)
 {
-    size_t next = 0;
+    size_t next = 0, count = 0;
 
-    a->whole = 1;
     for (size_t i = 0; i < a->nt; i++) {
         size_t j = next > a->first[i] ? next : a->first[i];
 
-        if (i > 0 && inside(a, a->t[i]) == inside(a, a->t[i - 1]))
-            continue;
         while (j <= a->first[i] + a->p && a->value[i * (a->p + 1) + j - a->first[i]] == 0)
             j++;
-        if (j <= a->first[i] + a->p) {
+        if (!repeated(a, i) && j <= a->first[i] + a->p) {
             a->keep[j] = 1;
             next = j + 1;
+            count++;
         }
     }
+    return count;
+}
+
+/* How many of the first columns are matched with how many of the first parameters, and the sum of the logarithms of their values. */
+typedef struct { size_t count; double sum; } matching;
+
+static int better(matching a, matching b)
+{
+    return a.count > b.count || (a.count == b.count && a.sum > b.sum);
+}
+
+/* best[i*(n+1) + j]: of the first i parameters and the first j columns. */
+static void match(matching *best, const optimum_axis *a)
+{
+    const size_t n = a->n, w = a->p + 1;
+
+    for (size_t i = 1; i <= a->nt; i++)
+        for (size_t j = 1; j <= n; j++) {
+            const size_t k = j - 1 - a->first[i - 1];
+            const double x = j > a->first[i - 1] && k < w && !repeated(a, i - 1) ? a->value[(i - 1) * w + k] : 0;
+            const matching diagonal = best[(i - 1) * (n + 1) + j - 1];
+            const matching with = { diagonal.count + 1, diagonal.sum + (x > 0 ? et_real_log(x) : 0) };
+            matching most = best[(i - 1) * (n + 1) + j];
+
+            if (better(best[i * (n + 1) + j - 1], most))
+                most = best[i * (n + 1) + j - 1];
+            best[i * (n + 1) + j] = x > 0 && better(with, most) ? with : most;
+        }
+}
+
+/* Of all greatest sets one whose values at its parameters have the greatest product: columns that are barely positive there would make the control points
+ * that carry them huge. */
+static et_status choose(optimum_axis *a)
+{
+    size_t entries = 0, i = a->nt, j = a->n;
+    matching *best;
+
+    a->whole = 1;
+    if (choose_first(a) == a->n)
+        return ET_OK;
+    if (et_size_mul(&entries, a->nt + 1, a->n + 1) != ET_OK || !(best = et_size_array(entries, sizeof *best)))
+        return ET_ENOMEM;
+    memset(a->keep, 0, a->n);
+    match(best, a);
+    while (i > 0 && j > 0) {
+        const matching here = best[i * (a->n + 1) + j];
+        if (!better(here, best[(i - 1) * (a->n + 1) + j]))
+            i--;
+        else if (!better(here, best[i * (a->n + 1) + j - 1]))
+            j--;
+        else {
+            i--;
+            a->keep[--j] = 1;
+        }
+    }
+    free(best);
+    return ET_OK;
 }
 
 /* Columns to the same size, by powers of two; those left out are told from zero ones. */
@@ -120,9 +180,10 @@ static et_status axis_new(optimum_axis *a, const double *knots, size_t n, size_t
         return ET_ENOMEM;
     evaluate(a);
     a->clamped = alone(a, 0, 0) && alone(a, nt - 1, n - 1);
-    choose(a);
-    equilibrate(a);
-    return ET_OK;
+    status = choose(a);
+    if (status == ET_OK)
+        equilibrate(a);
+    return status;
 }
 
 static void axis_free(optimum_axis *a)
