@@ -180,7 +180,7 @@ $(B)/tests/bench/peer_som_plain.c.o $(B)/tests/bench/peer_dense.c.o: FLAGS_nativ
 
 # Debian's packages; with root (or sudo) they are installed, else named.
 PACKAGES      := gcc g++ liblapacke-dev libceres-dev libgoogle-glog-dev libeigen3-dev libjansson-dev gnuplot-nox libflint-arb-dev libflint-dev libmpfr-dev libgmp-dev
-PACKAGES_TEST := libgsl-dev libdsdp-dev clang libclang-rt-14-dev valgrind gcovr python3 libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh
+PACKAGES_TEST := libgsl-dev clang libclang-rt-14-dev valgrind gcovr python3 libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh
 PACKAGES_BITS := libblas3 liblapack3 libopenblas0-pthread libatlas3-base qemu-user-static gcc-aarch64-linux-gnu gcc-s390x-linux-gnu gcc-i686-linux-gnu
 PACKAGES_BENCH := libgsl-dev libsisl-dev libocct-modeling-algorithms-dev libpagmo-dev libboost-serialization-dev libtbb-dev python3-scipy r-base-core r-cran-kohonen
 deps:

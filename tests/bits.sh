@@ -183,7 +183,7 @@ native() {
 
 # ---- other processors ------------------------------------------------------------------------------------------------------------
 
-FOREIGN='libc6-dev libgmp-dev libmpfr-dev libflint-dev libflint-arb-dev liblapacke-dev libjansson-dev libgsl-dev libdsdp-dev'
+FOREIGN='libc6-dev libgmp-dev libmpfr-dev libflint-dev libflint-arb-dev liblapacke-dev libjansson-dev libgsl-dev'
 
 # cross PROFILE ARCHITECTURE TRIPLET COMPILER BITS
 cross() {
