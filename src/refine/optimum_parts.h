@@ -40,6 +40,14 @@ typedef struct {
     double *table;                        /* [nt][n] nearly orthogonal; the first and the last of X depend on the first and the last of Z alone */
 } optimum_axis;
 
+et_status optimum_axis_new(optimum_axis *a, const double *knots, size_t n, size_t p, const double *t, size_t nt);
+void optimum_axis_free(optimum_axis *a);
+/* Whatever is not zero: where the ends see more than the first and the last control point, columns that depend on each other in one direction need not
+ * do so in the net. */
+void optimum_axis_keep_all(optimum_axis *a);
+/* Of the two directions the one that is worse conditioned gets a better basis, if that is worth the while.  1: the second, 0: the first, -1: none. */
+int optimum_axis_change(optimum_axis *first, optimum_axis *second);
+
 typedef struct {
     et_doublenet data, control;
     size_t nov, m;                        /* data classes; control classes kept */
