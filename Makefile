@@ -138,7 +138,7 @@ $(B)/accuracy: $(B)/tests/bench/accuracy.c.o $(B)/libetalon.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 bits:
 	@sh tests/deps.sh $(PACKAGES_BITS) || echo "what needs them fails below"
-	@sh tests/bits.sh $(BUILD)
+	@sh tests/bits.sh $(BUILD) $(PARTS)
 left-out:
 	@printf '%s: in C++, or uses what is\n' $(sort $(patsubst src/cli/%,src/cli,$(LEFT_OUT)))
 $(B)/replay: $(B)/tests/bits/replay.c.o $(B)/libetalon.a
@@ -155,7 +155,7 @@ built: all $(B)/check
 check: deps-test
 	@$(SUM) '$(MAKE) -s $(J) built' '$(MAKE) -s $(J) P=clang built' '$(MAKE) -s $(J) P=asan built' \
 	  '$(MAKE) -s test' '$(MAKE) -s rows' '$(MAKE) -s within' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s contracts' '$(MAKE) -s audit' '$(MAKE) -s docs' \
-	  'sh tests/install.sh $(BUILD)' 'ET_RUNS=200 $(MAKE) -s P=clang test' 'ET_RUNS=200 $(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s bits'
+	  'sh tests/install.sh $(BUILD)' 'ET_RUNS=200 $(MAKE) -s P=clang test' 'ET_RUNS=200 $(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s bits PARTS="native s390x fault"'
 end-to-end: all
 	@$(SUM) $(foreach s,$(sort $(wildcard tests/cli/*.sh)),'sh $(s) $(B)/etalon')
 

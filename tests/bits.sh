@@ -106,12 +106,12 @@ make_all() {
         done
     done
     for a in cholesky svd; do e fit net.json --control 6x5 --algebra $a -q -o $a.json; done
-    if "$command" fit --help | grep -q -- --refine-solution; then
-        for a in qr cholesky svd; do
-            e fit net.json --control 6x5 --algebra $a --refine-solution -q -o refined.$a.json --iges refined.$a.igs
-            e fit net.json --control 6x5 --approach joint --algebra $a --refine-solution -q -o refined.joint.$a.json
-        done
-    fi
+    for a in qr cholesky svd; do
+        e fit net.json --control 6x5 --algebra $a --refine-solution -q -o refined.$a.json --iges refined.$a.igs
+        e fit net.json --control 6x5 --approach joint --algebra $a --refine-solution -q -o refined.joint.$a.json
+    done
+    e fit net.json --control 6x5 --exact -q -o exact.json
+    e refine improved.chord.json --net net.json --with optimum -q -o optimum.json --certificate dual.json --history optimum.csv
     for a in ga de pso; do
         e refine improved.chord.json --net net.json --with $a --seed 3 --generations 60 -q -o $a.json --history $a.csv --checkpoint $a.state
     done
