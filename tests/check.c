@@ -20,7 +20,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { RUNS = 1000, SECONDS = 240, SHRINK_CALLS = 100000, AT_ONCE = 4, PATH = 1024 };
+enum { RUNS = 1000, SECONDS = 240, SHRINK_CALLS = 100000, AT_ONCE = 8, PATH = 1024 };
 
 /* Shared by parent and child: what a crash leaves behind. */
 typedef struct {

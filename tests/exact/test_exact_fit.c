@@ -471,6 +471,7 @@ static bool judged(gen *g, problem *c)
     return (is.status != ET_OK || agrees(g, c, &is, &four, "four times the bits")) && ok;
 }
 
+/* One case in 4. */
 verdict prop_exact_fit_solve(gen *g)
 {
     problem c = {.nov = 0};

@@ -350,6 +350,7 @@ static bool measure_right(gen *g, et_fit *f, const et_vec3 *data)
     return gen_check(g, et_exact_fit_measure(&again, NULL, nov, f, data, NULL) == ET_OK && same(&again, &e, sizeof e), "bits not asked for");
 }
 
+/* One case in 2. */
 verdict prop_exact_fit_measure(gen *g)
 {
     et_vec3 data[CLASSES];

@@ -552,6 +552,7 @@ static bool status_right(gen *g, et_status status, const problem *c, const et_fi
 
 /* ---- properties ---- */
 
+/* One case in 4. */
 verdict prop_enclosure_make(gen *g)
 {
     problem c;
@@ -612,6 +613,7 @@ verdict prop_enclosure_make_moved(gen *g)
 }
 
 /* condition: against the exact Gram matrix, whose row sums are within a factor n of its 2-norm, and the estimate at least half of the value. */
+/* One case in 4. */
 verdict prop_enclosure_make_condition(gen *g)
 {
     problem c;
@@ -962,6 +964,7 @@ static bool refined_again(gen *g, const problem *c, et_fit *f, const et_enclosur
     return ok;
 }
 
+/* One case in 4. */
 verdict prop_enclosure_refine(gen *g)
 {
     problem c;

@@ -297,7 +297,7 @@ verdict prop_optimum_defaults(gen *g)
 /* ---- find ---- */
 
 /* Whatever comes: knots at full multiplicity or an ulp apart, parameters anywhere, coincident points, any scale, control points without data. */
-/* One case in 3. */
+/* One case in 6. */
 verdict prop_optimum_find(gen *g)
 {
     instance c;
@@ -323,7 +323,7 @@ verdict prop_optimum_find(gen *g)
 }
 
 /* Random data in general position: the gap is narrow, and Ceres finds nothing below the bound, nor do we stay above what it finds. */
-/* One case in 5. */
+/* One case in 10. */
 verdict prop_optimum_find_tame(gen *g)
 {
     instance c;
@@ -412,7 +412,7 @@ verdict prop_optimum_find_median(gen *g)
 }
 
 /* Axes exchanged, mirrored, scaled by a power of two, shifted: the minimum goes along. */
-/* One case in 10. */
+/* One case in 20. */
 verdict prop_optimum_find_moved(gen *g)
 {
     const int shift = (int)gen_upto(g, 600) - 300;
@@ -439,7 +439,7 @@ verdict prop_optimum_find_moved(gen *g)
 }
 
 /* Data of the surface itself, whether or not they determine it: E* is what rounding makes of 0. */
-/* One case in 4. */
+/* One case in 8. */
 verdict prop_optimum_find_interpolated(gen *g)
 {
     instance c;
@@ -471,7 +471,7 @@ verdict prop_optimum_find_interpolated(gen *g)
 }
 
 /* From the minimum on: nothing gets worse, and nothing much better. */
-/* One case in 10. */
+/* One case in 20. */
 verdict prop_optimum_find_again(gen *g)
 {
     instance c;
@@ -504,7 +504,7 @@ static et_status stop_step(void *context, size_t done, size_t total)
 }
 
 /* Stopped by the caller, or by the number of iterations: what is delivered is certified all the same.  History never rises. */
-/* One case in 4. */
+/* One case in 8. */
 verdict prop_optimum_find_stop(gen *g)
 {
     const size_t limit = gen_upto(g, 12), room = gen_upto(g, 14);
@@ -537,7 +537,7 @@ verdict prop_optimum_find_stop(gen *g)
 }
 
 /* The same E with the parameters of both views exchanged is another problem; a net larger than the data, points without data: they stay. */
-/* One case in 4. */
+/* One case in 8. */
 verdict prop_optimum_find_undetermined(gen *g)
 {
     instance c;
@@ -619,7 +619,7 @@ verdict prop_optimum_find_refuses(gen *g)
 /* ---- bound ---- */
 
 /* Any y: random, the right one with a fault, huge, tiny, none. */
-/* One case in 4. */
+/* One case in 8. */
 verdict prop_optimum_bound(gen *g)
 {
     const bool tame = gen_chance(g, 2);
