@@ -8,6 +8,7 @@ for k in piegl faithful uniform; do
         want "optimum $c $k" 0 "$etalon" refine s.json --net n.json --with optimum --json -o o.json --certificate y.json --history h.csv
         holds "$c $k: certified" "0 <= j['lower'] <= j['value'] <= j['before'] and j['value'] - j['lower'] <= j['gap'] < 1e-9 and j['seam_gap'] == 0" out
         cp out o.line
+        # The fast error: each distance is off by at most 7 (p + q) + 4 = 46 u of the largest coordinate in each of three, sqrt 3 < 2 together.
         # The surface delivered has the value told, and the dual proves the bound: |y| <= 1, and y . D is the bound up to what was charged.
         python3 - <<'END' && pass "$c $k: the certificate holds" || fail "$c $k: the certificate holds"
 import json, sys
@@ -17,7 +18,8 @@ dual, D = y["dual"], net["weights"]
 if any(sum(F(a) ** 2 for a in v) > 1 + F(1, 10**12) for v in dual) or len(dual) != len(D):
     sys.exit("a dual vector is longer than 1")
 total = sum(F(a) * F(b) for v, d in zip(dual, D) for a, b in zip(v, d))
-sys.exit(abs(total - F(line["lower"])) > F(1, 10**9) or abs(line["surface_error"] - line["value"]) > 1e-12)
+most = max(abs(c) for w in s["views"].values() for p in w["points"] + D for c in p)
+sys.exit(abs(total - F(line["lower"])) > F(1, 10**9) or abs(line["surface_error"] - line["value"]) > len(D) * 46 * 2 * most * 2**-53)
 END
     done
 done
@@ -26,7 +28,8 @@ done
 "$etalon" refine s.json --net n.json --with optimum --exact --json > best.line
 python3 -c 'import json
 a, b = json.load(open("ceres.line")), json.load(open("best.line"))
-raise SystemExit(not (b["lower"] <= a["after"] and b["value"] <= a["after"] * (1 + 1e-12)))' && pass "no refiner is below the bound" || fail "no refiner is below the bound"
+off = 164 * 46 * 2 * 4 * 2**-53         # as above, 164 classes, coordinates below 4: what a fast error may be off
+raise SystemExit(not (b["lower"] <= a["after"] + off and b["value"] <= a["after"] + b["gap"] + off))' && pass "no refiner is below the bound" || fail "no refiner is below the bound"
 for a in ga de pso; do "$etalon" refine s.json --net n.json --with $a --json > $a.line; holds "$a is above it" "j['after'] >= $(python3 -c 'import json; print(json.load(open("best.line"))["lower"])')" $a.line; done
 "$etalon" refine s.json --net n.json --with optimum -q -o o.json
 want "again from the optimum" 0 "$etalon" refine o.json --net n.json --with optimum --json
