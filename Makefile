@@ -10,7 +10,7 @@
 P       ?= release
 BUILD   ?= build
 B       := $(BUILD)/$(P)
-ROOMS   ?= base spline net som fit refine exact io cli
+ROOMS   ?= base spline net som fit refine exact io conform cli
 VERSION := 0.1.0
 PREFIX  ?= /usr/local
 T       ?= 10

@@ -268,6 +268,45 @@ et_status et_exact_seam_gap(et_seam *gap, const et_shell *shell, size_t samples)
 et_status et_exact_quality_of(et_som_quality *quality, const et_vec3 *weights, size_t nov, et_doublenet net, const et_vec3 *cloud, size_t n,
                               size_t *bits);
 
+/* ---- editing, one-sided derivatives: each value rounded once ---- */
+
+et_status et_exact_knots_greville(double *g, size_t n, const double *u, size_t nu, size_t p);
+et_status et_exact_curve_ders_side(et_vec3 *D, size_t d, const et_curve *c, double x, et_side side);
+et_status et_exact_surface_partials(et_vec3 *D, size_t d, const et_surface *s, double u, double v, et_side side_u, et_side side_v);
+et_status et_exact_surface_normal(et_vec3 *n, const et_surface *s, double u, double v);
+/* Control points (after the division by the exact weight) and weights rounded once each. */
+et_status et_exact_curve_insert(et_curve *refined, const et_curve *c, double x, size_t times);
+et_status et_exact_curve_elevate(et_curve *elevated, const et_curve *c, size_t times);
+/* The knot is removed as often as the exact curve allows without any change: of the exact removability, no tolerance; *removed says how often. */
+et_status et_exact_curve_remove(et_curve *reduced, size_t *removed, const et_curve *c, double x, size_t times);
+et_status et_exact_surface_insert(et_surface *refined, const et_surface *s, et_direction along, double x, size_t times);
+et_status et_exact_surface_elevate(et_surface *elevated, const et_surface *s, et_direction along, size_t times);
+et_status et_exact_surface_remove(et_surface *reduced, size_t *removed, const et_surface *s, et_direction along, double x, size_t times);
+
+/* ---- least squares with given parameters and knots ---- */
+
+/* What a bound for a computed solution needs: condition |A|_F |A+|_F of the collocation matrix (the product of both directions' for a grid), rounded once upwards or to nearest;
+ * norm |A|_F; per coordinate |P|_2 and the residual |A P - D|_2. */
+typedef struct { double condition, norm; et_vec3 solution, residual; } et_exact_lsq;
+
+/* P[0..n-1]: the least squares curve of degree p with knots u through the m points D at parameters t.  ET_EINVAL, ET_ERANK, ET_ENOMEM. */
+et_status et_exact_fit_curve(et_vec3 *P, size_t n, et_exact_lsq *lsq, const double *u, size_t nu, size_t p, const double *t, const et_vec3 *D, size_t m);
+/* P[i*nv + j]: the least squares surface through D[i*mv + j] at (a[i], b[j]); corners != 0: it interpolates the four corners (a constrained optimum). */
+et_status et_exact_fit_grid(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q, const double *a, size_t mu,
+                            const double *b, size_t mv, const et_vec3 *D, int corners);
+/* P[i*nv + j]: the least squares surface through m points D[k] at (a[k], b[k]). */
+et_status et_exact_fit_scattered(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q, const double *a,
+                                 const double *b, const et_vec3 *D, size_t m);
+
+/* ---- distances ---- */
+
+/* The least distance of a point from the curve: *lower <= exact minimum <= *distance, (1 - 2^-40) *distance <= *lower or *distance below 2^-40 times the size of the control net;
+ * *x where *distance is attained.  A branch and bound over rigorous (Bezier hull) bounds.  ET_ENOCONV if that many boxes do not decide it. */
+et_status et_exact_curve_nearest(double *x, double *distance, double *lower, const et_curve *c, et_vec3 point);
+et_status et_exact_surface_nearest(double uv[2], double *distance, double *lower, const et_surface *s, et_vec3 point);
+/* sum and greatest of |D[i*mv + j] - S(a[i], b[j])|, each rounded once. */
+et_status et_exact_surface_error(double *sum, double *greatest, const et_surface *s, const double *a, size_t mu, const double *b, size_t mv, const et_vec3 *D);
+
 #ifdef __cplusplus
 }
 #endif

@@ -13,6 +13,7 @@
 #define ETALON_SPLINE_CURVE_H
 #include "etalon/base/status.h"
 #include "etalon/base/vec3.h"
+#include "etalon/spline/knots.h"
 #include <stddef.h>
 #ifdef __cplusplus
 extern "C" {
@@ -109,6 +110,23 @@ et_vec3 et_curve_point(const et_curve *c, double x, double *work, size_t nwork);
     ensures  above:  c->weights == \null ==> \forall integer k; c->p < k <= d ==> D[k].x == 0.0 && D[k].y == 0.0 && D[k].z == 0.0;
 */
 void et_curve_ders(et_vec3 *D, size_t d, const et_curve *c, double x, double *work, size_t nwork);
+
+/* A copy with storage of its own. */
+et_status et_curve_copy(et_curve *copy, const et_curve *c);
+
+/* et_curve_ders with the derivatives' side chosen at knots. */
+void et_curve_ders_side(et_vec3 *D, size_t d, const et_curve *c, double x, et_side side, double *work, size_t nwork);
+
+/* The same curve with the knot x, inside the domain, `times` times more (A5.1); its multiplicity becomes p + 1 at most.  ET_EINVAL, ET_ENOMEM. */
+et_status et_curve_insert(et_curve *refined, const et_curve *c, double x, size_t times);
+
+/* The knot x of the open domain removed as often as possible, at most `times`, without moving the curve by more than `tolerance` (A5.8, Eq. 5.30).
+ * *removed: how often.  ET_EINVAL (x is no inner knot), ET_ENOMEM. */
+et_status et_curve_remove(et_curve *reduced, size_t *removed, const et_curve *c, double x, size_t times, double tolerance);
+
+/* The same curve with a degree higher by `times` (A5.9 or any other way): each different knot of the domain gets that multiplicity more.  The ends must
+ * be clamped.  ET_EINVAL, ET_ENOMEM. */
+et_status et_curve_elevate(et_curve *elevated, const et_curve *c, size_t times);
 
 #ifdef __cplusplus
 }

@@ -50,6 +50,19 @@ int et_knots_clamped(const double *u, size_t nu, size_t p);
 */
 size_t et_knots_span(const double *u, size_t nu, size_t p, double x);
 
+/* From which side a limit is taken: it matters at knots, where derivatives (and, at a knot of multiplicity p + 1 or more, values) may jump.  At the
+ * left end of the domain both are the limit from the right, at its right end both the one from the left. */
+typedef enum { ET_SIDE_RIGHT = 0, ET_SIDE_LEFT } et_side;
+
+/* et_knots_span for ET_SIDE_RIGHT; for ET_SIDE_LEFT the span k with u[k] < x <= u[k+1], at (or before) the left end of the domain the first non-empty one. */
+size_t et_knots_span_side(const double *u, size_t nu, size_t p, double x, et_side side);
+
+/* How many of the knots equal x (0 and -0 are equal). */
+size_t et_knots_multiplicity(const double *u, size_t nu, double x);
+
+/* The Greville points g[i] = (u[i+1] + ... + u[i+p]) / p, i < n = nu - p - 1; of degree 0 the spans' midpoints. */
+void et_knots_greville(double *g, size_t n, const double *u, size_t nu, size_t p);
+
 #ifdef __cplusplus
 }
 #endif

@@ -14,6 +14,7 @@
 #define ETALON_SPLINE_SURFACE_H
 #include "etalon/base/status.h"
 #include "etalon/base/vec3.h"
+#include "etalon/spline/knots.h"
 #include <stddef.h>
 #include <stdint.h>
 #ifdef __cplusplus
@@ -146,6 +147,24 @@ void et_surface_points(et_vec3 *S, const et_surface *s, const double *u, const d
     ensures  ends:   \result == ET_OK || \result == ET_ENOMEM;
 */
 et_status et_surface_grid(et_vec3 *S, const et_surface *s, const double *a, size_t na, const double *b, size_t nb);
+
+/* Doubles of workspace for et_surface_partials up to total order d; SIZE_MAX if that does not fit. */
+size_t et_surface_partials_work(const et_surface *s, size_t d);
+
+/* All partial derivatives of total order up to d, with the sides chosen at knots, in the order of et_exact_surface_ders:
+ * the one a times in u and b times in v stands at (a+b)(a+b+1)/2 + b. */
+void et_surface_partials(et_vec3 *D, size_t d, const et_surface *s, double u, double v, et_side side_u, et_side side_v, double *work, size_t nwork);
+
+/* The unit normal S_u x S_v / |S_u x S_v|.  ET_ERANK (*n as it was) where the cross product is 0. */
+et_status et_surface_normal(et_vec3 *n, const et_surface *s, double u, double v, double *work, size_t nwork);
+
+typedef enum { ET_ALONG_U = 0, ET_ALONG_V } et_direction;
+
+/* As et_curve_insert, et_curve_remove and et_curve_elevate, of all curves of the surface along one direction; a knot is removed from all of them or
+ * from none. */
+et_status et_surface_insert(et_surface *refined, const et_surface *s, et_direction along, double x, size_t times);
+et_status et_surface_remove(et_surface *reduced, size_t *removed, const et_surface *s, et_direction along, double x, size_t times, double tolerance);
+et_status et_surface_elevate(et_surface *elevated, const et_surface *s, et_direction along, size_t times);
 
 #ifdef __cplusplus
 }
