@@ -128,6 +128,86 @@ static void end(gen *g, size_t from)
     }
 }
 
+/* Draws that are not recorded: what comes of them is. */
+static size_t unrecorded(gen *g, size_t max)
+{
+    const uint64_t r = gen_mix(g->state);
+
+    g->state += 0x9E3779B97F4A7C15u;
+    return (size_t)(r % ((uint64_t)max + 1));
+}
+
+/* Put m bytes into the n at `at`, in the place of `gone` of them; the length then. */
+static size_t splice(uint8_t *bytes, size_t n, size_t most, size_t at, size_t gone, const char *put, size_t m)
+{
+    m = m < most - n + gone ? m : most - n + gone;
+    memmove(bytes + at + m, bytes + at + gone, n - at - gone);
+    if (m > 0)
+        memcpy(bytes + at, put, m);
+    return n - gone + m;
+}
+
+/* One change: a byte another, a piece of another sample put in, a piece taken out or said twice, the end cut off. */
+static size_t alter(gen *g, uint8_t *bytes, size_t n, size_t most, const sample *from)
+{
+    const size_t at = unrecorded(g, n), kind = unrecorded(g, 5), rest = n - at, few = unrecorded(g, 15), gone = rest < few ? rest : few;
+    char piece[64], byte = (char)unrecorded(g, 255);
+
+    if (kind == 0 && rest > 0) {
+        bytes[at] = (uint8_t)byte;
+    } else if (kind == 1) {
+        n = splice(bytes, n, most, at, 0, &byte, 1);
+    } else if (kind == 2 && from->size > 0) {
+        const size_t k = unrecorded(g, from->size - 1), m = from->size - k < sizeof piece ? from->size - k : sizeof piece;
+        n = splice(bytes, n, most, at, gone, from->bytes + k, unrecorded(g, m));
+    } else if (kind == 3) {
+        n = splice(bytes, n, most, at, gone, "", 0);
+    } else if (kind == 4 && gone > 0) {
+        memcpy(piece, bytes + at, gone);
+        n = splice(bytes, n, most, at, 0, piece, gone);
+    } else if (kind == 5 && unrecorded(g, 3) == 0) {
+        n = at;
+    }
+    return n;
+}
+
+static size_t altered_sample(gen *g, uint8_t *bytes, size_t most, const sample *samples)
+{
+    size_t count = 0, n;
+
+    while (samples[count].bytes)
+        count++;
+    if (count == 0)
+        return 0;
+    const sample first = samples[unrecorded(g, count - 1)];
+    n = splice(bytes, 0, most, 0, 0, first.bytes, first.size);
+    for (size_t changes = unrecorded(g, 6); changes > 0; changes--)
+        n = alter(g, bytes, n, most, &samples[unrecorded(g, count - 1)]);
+    return n;
+}
+
+size_t gen_rest(gen *g, uint8_t *bytes, size_t most, const sample *samples)
+{
+    size_t n = 0;
+
+    most = most < GEN_DRAWS - g->ndraws ? most : GEN_DRAWS - g->ndraws;
+    if (g->from == FROM_SEED)
+        n = altered_sample(g, bytes, most, samples);
+    else if (g->from == FROM_BYTES)
+        n = g->pos < g->nbytes ? g->nbytes - g->pos : 0;
+    else
+        n = g->ndraws < g->nvalues ? g->nvalues - g->ndraws : 0;
+    n = n < most ? n : most;
+    for (size_t i = 0; i < n; i++) {
+        if (g->from == FROM_BYTES)
+            bytes[i] = g->bytes[g->pos++];
+        else if (g->from == FROM_VALUES)
+            bytes[i] = (uint8_t)(g->values[g->ndraws] < 255 ? g->values[g->ndraws] : 255);
+        g->draws[g->ndraws++] = (draw){ bytes[i], 255 };
+    }
+    return n;
+}
+
 static double within(double x, double lo, double hi)
 {
     return x < lo ? lo : x > hi ? hi : x;

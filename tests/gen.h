@@ -21,6 +21,11 @@ uint64_t gen_between(gen *g, uint64_t lo, uint64_t hi);  /* lo .. hi; lo the sim
 bool gen_chance(gen *g, unsigned in);                    /* true once in `in`; false the simplest */
 double gen_real(gen *g, double lo, double hi);           /* lo the simplest; grid points of sixteenths come often */
 
+/* The rest of the source as it stands, at most `most` bytes: of a file or a fuzzer its own bytes, so that what a reader is given is a case as it is.
+ * From a seed: one of the samples (the list ends with a null), altered in a few places.  No bytes are the simplest. */
+typedef struct { const char *bytes; size_t size; } sample;
+size_t gen_rest(gen *g, uint8_t *bytes, size_t most, const sample *samples);
+
 /* A knot vector of degree p with `spans` non-zero or zero interior steps, clamped on [0,1]: nu = 2p + 2 + interior.  Hard cases come often:
  * repeated knots to full multiplicity, knots one ulp apart, tiny spans. */
 void gen_knots(gen *g, double *u, size_t nu, size_t p);
