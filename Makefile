@@ -2,10 +2,11 @@
 # make test         units, properties, golden rows       make check   all tests (installs what they need)
 # make audit        every public name in every room      make floors  nobody includes from above
 # make golden       golden rows made again, and compared make golden-accept   and put in place
-# make fuzz F=NAME T=60   fuzz one property              make cover   line and branch coverage
+# make fuzz T=60 [F=NAME] [ENGINE=afl]   fuzz all properties, or one          make fuzz-min   what that found, into fuzz/corpus
+# make cover        line and branch coverage
 # make accuracy     bounds beside the worst errors seen    make bits    the same bits everywhere
 # make bench        speed, as ratios to named peers      make install DESTDIR= PREFIX=/usr/local
-# make P=asan ...   the same under another profile: release, native, clang, debug, asan, fuzz, cover
+# make P=asan ...   the same under another profile: release, native, clang, debug, asan, fuzz, afl, cover
 
 P       ?= release
 BUILD   ?= build
@@ -21,6 +22,7 @@ CC_clang   = clang
 CC_debug   = gcc
 CC_asan    = clang
 CC_fuzz    = clang
+CC_afl     = afl-clang-fast
 CC_cover   = gcc
 CXX_release = g++
 CXX_native  = g++
@@ -28,6 +30,7 @@ CXX_clang   = clang++
 CXX_debug   = g++
 CXX_asan    = clang++
 CXX_fuzz    = clang++
+CXX_afl     = afl-clang-fast++
 CXX_cover   = g++
 FLAGS_release = -O2
 FLAGS_native  = -O3 -march=native
@@ -35,6 +38,7 @@ FLAGS_clang   = -O3
 FLAGS_debug   = -O0
 FLAGS_asan    = -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 FLAGS_fuzz    = -O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+FLAGS_afl     = -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 FLAGS_cover   = -O0 --coverage
 OMP_release = -fopenmp
 OMP_native  = -fopenmp
@@ -47,7 +51,7 @@ OMP    := $(if $(OMP_$(P)),$(shell echo 'int main(void){return 0;}' | $(CC) -fop
 COMMON := -g -ffp-contract=off -fno-math-errno -ffile-prefix-map=$(CURDIR)=. -Wall -Wextra -Wshadow -Wconversion -Wno-unknown-pragmas -Werror -Iinclude -Isrc
 CFLAGS   = -std=c99 -pedantic-errors -Wstrict-prototypes -Wvla $(COMMON) $(FLAGS_$(P)) $(OMP) -D_POSIX_C_SOURCE=200809L
 # Eigen's types have another layout under -march=native than in the Ceres that is installed.
-CXXFLAGS = -std=c++17 $(COMMON) $(filter-out -march=native,$(FLAGS_$(P))) -isystem /usr/include/eigen3 $(if $(filter asan fuzz,$(P)),-fno-sanitize=vptr)
+CXXFLAGS = -std=c++17 $(COMMON) $(filter-out -march=native,$(FLAGS_$(P))) -isystem /usr/include/eigen3 $(if $(filter asan fuzz afl,$(P)),-fno-sanitize=vptr)
 LDFLAGS ?= -Wl,--as-needed
 LIBS   := -lceres -lglog -llapacke -llapack -lblas -ljansson -lflint-arb -lflint -lmpfr -lgmp -lstdc++ -lm
 LDLIBS  = $(filter-out $(LEFT_OUT_LIBS),$(LIBS))
@@ -143,13 +147,21 @@ left-out:
 	@printf '%s: in C++, or uses what is\n' $(sort $(patsubst src/cli/%,src/cli,$(LEFT_OUT)))
 $(B)/replay: $(B)/tests/bits/replay.c.o $(B)/libetalon.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+# Each target for T seconds under libFuzzer or, with ENGINE=afl, AFL++; F: one property, or all of a module, or a shell's list of them.
+ENGINE ?= fuzz
 fuzz:
-	@$(MAKE) P=fuzz $(BUILD)/fuzz/fuzzer
-	@sh fuzz/fuzz.sh $(BUILD)/fuzz '$(F)' $(T)
+	@sh tests/deps.sh $(PACKAGES_FUZZ)
+	@$(MAKE) -s $(J) P=$(ENGINE) $(BUILD)/$(ENGINE)/fuzzer
+	@sh fuzz/fuzz.sh $(BUILD) $(ENGINE) $(T) $(F)
+fuzz-min:
+	@$(MAKE) -s $(J) P=fuzz $(BUILD)/fuzz/fuzzer
+	@sh fuzz/min.sh $(BUILD) $(F)
 cover:
 	@$(MAKE) P=cover test
 	@gcovr -r . -f src/ --object-directory $(BUILD)/cover --html-details $(BUILD)/cover/coverage.html --print-summary
 
+export AFL_QUIET := 1
+export AFL_DONT_OPTIMIZE := 1
 J := -j$(shell nproc 2> /dev/null || echo 1)
 built: all $(B)/check
 check: deps-test
@@ -181,6 +193,7 @@ $(B)/tests/bench/peer_som_plain.c.o $(B)/tests/bench/peer_dense.c.o: FLAGS_nativ
 # Debian's packages; with root (or sudo) they are installed, else named.
 PACKAGES      := gcc g++ liblapacke-dev libceres-dev libgoogle-glog-dev libeigen3-dev libjansson-dev gnuplot-nox libflint-arb-dev libflint-dev libmpfr-dev libgmp-dev
 PACKAGES_TEST := libgsl-dev clang libclang-rt-14-dev valgrind gcovr python3 libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh
+PACKAGES_FUZZ := clang libclang-rt-14-dev afl++
 PACKAGES_BITS := libblas3 liblapack3 libopenblas0-pthread libatlas3-base qemu-user-static gcc-aarch64-linux-gnu gcc-s390x-linux-gnu gcc-i686-linux-gnu
 PACKAGES_BENCH := libgsl-dev libsisl-dev libocct-modeling-algorithms-dev libpagmo-dev libboost-serialization-dev libtbb-dev python3-scipy r-base-core r-cran-kohonen
 deps:
@@ -209,4 +222,4 @@ uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/share/man/man1/etalon.1
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits fuzz cover built check end-to-end bench programs peers deps deps-test demo install uninstall clean
+.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits fuzz fuzz-min cover built check end-to-end bench programs peers deps deps-test demo install uninstall clean
