@@ -2,12 +2,13 @@
 #include <math.h>
 
 /* D[4k + a]: the derivatives of w x, w y, w z and w, up to a common power of two, and in *e another of the first three. */
-static void homogeneous(fmpq *D, size_t d, slong *e, const et_curve *c, double x)
+static void homogeneous(fmpq *D, size_t d, slong *e, const et_curve *c, double x, et_side side)
 {
+    size_t span = exact_span(c->u, c->n + c->p + 1, c->p, x, side);
     exact_line line;
     exact_net net;
     fmpz *S = _fmpz_vec_init(EXACT_COMPONENTS);
-    exact_line_init(&line, c->u, c->n, c->p, x, d);
+    exact_line_init_at(&line, c->u, c->n, c->p, span, x, d);
     exact_net_init(&net, c->points + line.first, c->weights ? c->weights + line.first : NULL, c->p + 1, 1, 1);
     for (size_t k = 0; k <= d; k++) {
         exact_contract(S, 1, line.row + k, net.H, 1);
@@ -53,6 +54,11 @@ et_status et_exact_curve_point(et_vec3 *C, const et_curve *c, double x)
 
 et_status et_exact_curve_ders(et_vec3 *D, size_t d, const et_curve *c, double x)
 {
+    return et_exact_curve_ders_side(D, d, c, x, ET_SIDE_RIGHT);
+}
+
+et_status et_exact_curve_ders_side(et_vec3 *D, size_t d, const et_curve *c, double x, et_side side)
+{
     size_t n;
     slong e;
     if (!et_curve_valid(c) || !isfinite(x)) {
@@ -63,7 +69,7 @@ et_status et_exact_curve_ders(et_vec3 *D, size_t d, const et_curve *c, double x)
     }
     n = EXACT_COMPONENTS * (d + 1);
     fmpq *A = _fmpq_vec_init((slong)n);
-    homogeneous(A, d, &e, c, x);
+    homogeneous(A, d, &e, c, x, side);
     for (size_t k = 0; k <= d; k++) {
         quotient(A, k);
     }

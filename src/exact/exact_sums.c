@@ -54,6 +54,7 @@ void exact_net_init(exact_net *net, const et_vec3 *points, const double *weights
         }
     }
     net->e = ex == WORD_MAX ? 0 : ex;     /* all points in the origin */
+    net->w = ew;
 }
 
 void exact_net_clear(exact_net *net)
@@ -61,7 +62,7 @@ void exact_net_clear(exact_net *net)
     _fmpz_vec_clear(net->H, (slong)(EXACT_COMPONENTS * net->n));
 }
 
-static void row_init(exact_row *row, const fmpq *values, size_t n)
+void exact_row_init(exact_row *row, const fmpq *values, size_t n)
 {
     row->n = n;
     row->value = _fmpz_vec_init((slong)n);
@@ -69,16 +70,42 @@ static void row_init(exact_row *row, const fmpq *values, size_t n)
     _fmpq_vec_get_fmpz_vec_fmpz(row->value, row->denominator, values, (slong)n);
 }
 
+void exact_row_clear(exact_row *row)
+{
+    _fmpz_vec_clear(row->value, (slong)row->n);
+    fmpz_clear(row->denominator);
+}
+
+size_t exact_span(const double *u, size_t nu, size_t p, double x, et_side side)
+{
+    size_t k = p, last = nu - p - 2;
+    if (side != ET_SIDE_LEFT) {
+        return et_knots_span(u, nu, p, x);
+    }
+    while (k < last && (u[k + 1] < x || u[k] == u[k + 1])) {
+        k++;
+    }
+    while (u[k] == u[k + 1]) {            /* x beyond the domain, whose last knot is repeated */
+        k--;
+    }
+    return k;
+}
+
 void exact_line_init(exact_line *line, const double *u, size_t n, size_t p, double x, size_t d)
 {
-    size_t span = et_knots_span(u, n + p + 1, p, x), size = (d + 1) * (p + 1);
+    exact_line_init_at(line, u, n, p, et_knots_span(u, n + p + 1, p, x), x, d);
+}
+
+void exact_line_init_at(exact_line *line, const double *u, size_t n, size_t p, size_t span, double x, size_t d)
+{
+    size_t size = (d + 1) * (p + 1);
     fmpq *D = _fmpq_vec_init((slong)size);
     exact_basis(D, d, u, n + p + 1, p, span, x);
     line->d = d;
     line->first = span - p;
     line->row = flint_malloc((d + 1) * sizeof *line->row);
     for (size_t k = 0; k <= d; k++) {
-        row_init(line->row + k, D + k * (p + 1), p + 1);
+        exact_row_init(line->row + k, D + k * (p + 1), p + 1);
     }
     _fmpq_vec_clear(D, (slong)size);
 }
@@ -86,8 +113,7 @@ void exact_line_init(exact_line *line, const double *u, size_t n, size_t p, doub
 void exact_line_clear(exact_line *line)
 {
     for (size_t k = 0; k <= line->d; k++) {
-        _fmpz_vec_clear(line->row[k].value, (slong)line->row[k].n);
-        fmpz_clear(line->row[k].denominator);
+        exact_row_clear(line->row + k);
     }
     flint_free(line->row);
 }

@@ -11,12 +11,12 @@ void exact_integer(fmpz_t n, double x, slong place);
 
 enum { EXACT_COMPONENTS = 4 };            /* w x, w y, w z, w */
 
-/* Control points in integers: H[4k + 3] is the weight of the k-th point times a power of two, H[4k + a] 2^e its coordinate a times the same.  Without
- * weights they are 1; as the basis functions add up to 1 exactly, a quotient by the sum for w is right there, too. */
+/* Control points in integers: H[4k + 3] 2^w is the weight of the k-th point, H[4k + a] 2^(w + e) its coordinate a times that.  Without weights
+ * they are 1; as the basis functions add up to 1 exactly, a quotient by the sum for w is right there, too. */
 typedef struct {
     fmpz *H;
     size_t n;
-    slong e;
+    slong e, w;
 } exact_net;
 
 /* rows x columns points, the first at `points` and its weight at `weights` (or null), `step` from row to row. */
@@ -30,6 +30,12 @@ typedef struct {
     size_t n;
 } exact_row;
 
+void exact_row_init(exact_row *row, const fmpq *values, size_t n);
+void exact_row_clear(exact_row *row);
+
+/* The span whose basis functions have the limit at x from that side; x outside the domain is clamped to it. */
+size_t exact_span(const double *u, size_t nu, size_t p, double x, et_side side);
+
 /* The basis functions at one parameter, row[k] their k-th derivatives, k <= d; the first control point they meet. */
 typedef struct {
     exact_row *row;
@@ -38,6 +44,8 @@ typedef struct {
 
 /* n control points of degree p with knots u; x of the domain or clamped to it. */
 void exact_line_init(exact_line *line, const double *u, size_t n, size_t p, double x, size_t d);
+/* Those of the span, at x or outside it. */
+void exact_line_init_at(exact_line *line, const double *u, size_t n, size_t p, size_t span, double x, size_t d);
 void exact_line_clear(exact_line *line);
 
 /* T[0..4n-1] = sum_r row[r] net[r*stride + first + (0..n-1)], points as they stand in the net. */

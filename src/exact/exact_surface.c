@@ -99,12 +99,12 @@ static void quotient(fmpq *A, size_t k, size_t l)
 }
 
 /* A as above, of `size` entries, becomes S and its derivatives, a coordinate's place unused. */
-static void derivatives(fmpq *A, size_t d, const et_surface *s, double u, double v)
+static void derivatives(fmpq *A, size_t d, const et_surface *s, double u, double v, et_side side_u, et_side side_v)
 {
     exact_line a, b;
     exact_net net;
-    exact_line_init(&a, s->u, s->nu, s->p, u, d);
-    exact_line_init(&b, s->v, s->nv, s->q, v, d);
+    exact_line_init_at(&a, s->u, s->nu, s->p, exact_span(s->u, s->nu + s->p + 1, s->p, u, side_u), u, d);
+    exact_line_init_at(&b, s->v, s->nv, s->q, exact_span(s->v, s->nv + s->q + 1, s->q, v, side_v), v, d);
     window(&net, s, &a, &b);
     homogeneous(A, &net, &a, &b);
     for (size_t m = 0; m <= d; m++) {
@@ -124,6 +124,11 @@ static void derivatives(fmpq *A, size_t d, const et_surface *s, double u, double
 
 et_status et_exact_surface_ders(et_vec3 *D, size_t d, const et_surface *s, double u, double v)
 {
+    return et_exact_surface_partials(D, d, s, u, v, ET_SIDE_RIGHT, ET_SIDE_RIGHT);
+}
+
+et_status et_exact_surface_partials(et_vec3 *D, size_t d, const et_surface *s, double u, double v, et_side side_u, et_side side_v)
+{
     size_t n, greater = s->p > s->q ? s->p : s->q;
     if (!et_surface_valid(s) || !isfinite(u) || !isfinite(v)) {
         return ET_EINVAL;
@@ -133,12 +138,53 @@ et_status et_exact_surface_ders(et_vec3 *D, size_t d, const et_surface *s, doubl
     }
     n = place(0, d) + 1;
     fmpq *A = _fmpq_vec_init((slong)(EXACT_COMPONENTS * n));
-    derivatives(A, d, s, u, v);
+    derivatives(A, d, s, u, v, side_u, side_v);
     for (size_t k = 0; k < n; k++) {
         D[k] = exact_round_point(A + EXACT_COMPONENTS * k);
     }
     _fmpq_vec_clear(A, (slong)(EXACT_COMPONENTS * n));
     return ET_OK;
+}
+
+/* C = A x B. */
+static void cross(fmpq *C, const fmpq *A, const fmpq *B)
+{
+    for (size_t a = 0; a < 3; a++) {
+        fmpq_mul(C + a, A + (a + 1) % 3, B + (a + 2) % 3);
+        fmpq_submul(C + a, A + (a + 2) % 3, B + (a + 1) % 3);
+    }
+}
+
+/* c / sqrt(square): its square's root, with c's sign. */
+static double cosine(const fmpq_t c, const fmpq_t square)
+{
+    fmpq_t q;
+    fmpq_init(q);
+    fmpq_mul(q, c, c);
+    fmpq_div(q, q, square);
+    double x = exact_round_sqrt(q);
+    fmpq_clear(q);
+    return fmpq_sgn(c) < 0 ? -x : x;
+}
+
+et_status et_exact_surface_normal(et_vec3 *n, const et_surface *s, double u, double v)
+{
+    if (!et_surface_valid(s) || !isfinite(u) || !isfinite(v)) {
+        return ET_EINVAL;
+    }
+    fmpq *A = _fmpq_vec_init(3 * EXACT_COMPONENTS), *C = _fmpq_vec_init(EXACT_COMPONENTS), *square = C + 3;
+    derivatives(A, 1, s, u, v, ET_SIDE_RIGHT, ET_SIDE_RIGHT);
+    cross(C, A + EXACT_COMPONENTS, A + (size_t)2 * EXACT_COMPONENTS);
+    for (size_t a = 0; a < 3; a++) {
+        fmpq_addmul(square, C + a, C + a);
+    }
+    int flat = fmpq_is_zero(square);
+    if (!flat) {
+        *n = (et_vec3){cosine(C, square), cosine(C + 1, square), cosine(C + 2, square)};
+    }
+    _fmpq_vec_clear(A, 3 * EXACT_COMPONENTS);
+    _fmpq_vec_clear(C, EXACT_COMPONENTS);
+    return flat ? ET_ERANK : ET_OK;
 }
 
 static int finite(const double *x, size_t n)
