@@ -167,9 +167,30 @@ built: all $(B)/check
 check: deps-test
 	@$(SUM) '$(MAKE) -s $(J) built' '$(MAKE) -s $(J) P=clang built' '$(MAKE) -s $(J) P=asan built' \
 	  '$(MAKE) -s test' '$(MAKE) -s rows' '$(MAKE) -s within' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s contracts' '$(MAKE) -s audit' '$(MAKE) -s docs' \
-	  'sh tests/install.sh $(BUILD)' 'ET_RUNS=200 $(MAKE) -s P=clang test' 'ET_RUNS=200 $(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s bits PARTS="native s390x fault"'
+	  'sh tests/install.sh $(BUILD)' 'ET_RUNS=200 $(MAKE) -s P=clang test' 'ET_RUNS=200 $(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s judged' '$(MAKE) -s bits PARTS="native s390x fault"'
 end-to-end: all
 	@$(SUM) $(foreach s,$(sort $(wildcard tests/cli/*.sh)),'sh $(s) $(B)/etalon')
+
+# Adapters of other libraries for the conformance kit; conformance judges all of them and writes docs/scoreboard.md, check the light ones.
+ADAPTERS := $(addprefix $(B)/adapters/,etalon gsl sisl occt)
+$(B)/adapters/etalon: tests/adapters/etalon/adapter.c $(B)/libetalon.a
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+$(B)/adapters/shared.o: tests/adapters/adapter.c tests/adapters/adapter.h
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -c -o $@ $<
+$(B)/adapters/gsl $(B)/adapters/sisl: $(B)/adapters/%: tests/adapters/%/adapter.c $(B)/adapters/shared.o
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(if $(findstring sisl,$@),-lsisl,$(GSL)) -lm
+$(B)/adapters/occt: tests/adapters/occt/adapter.cpp $(B)/adapters/shared.o
+	$(CXX) $(CXXFLAGS) -isystem /usr/include/opencascade $(LDFLAGS) -o $@ $^ -lTKGeomAlgo -lTKGeomBase -lTKG3d -lTKG2d -lTKMath -lTKernel
+adapters: $(ADAPTERS) $(B)/etalon
+conformance:
+	@sh tests/deps.sh $(PACKAGES) $(PACKAGES_CONFORM)
+	@$(MAKE) -s $(J) adapters
+	@sh tests/conformance.sh $(B) scoreboard
+judged: adapters-light
+	@sh tests/conformance.sh $(B) light
+adapters-light: $(B)/adapters/etalon $(B)/adapters/gsl $(B)/adapters/sisl $(B)/etalon
 
 # A benchmark is bench_X.c (or X_table.c) with bench.c and X_input.c; a peer is a program of its own, and may be missing.
 bench:
@@ -192,8 +213,9 @@ $(B)/tests/bench/peer_som_plain.c.o $(B)/tests/bench/peer_dense.c.o: FLAGS_nativ
 
 # Debian's packages; with root (or sudo) they are installed, else named.
 PACKAGES      := gcc g++ liblapacke-dev libceres-dev libgoogle-glog-dev libeigen3-dev libjansson-dev gnuplot-nox libflint-arb-dev libflint-dev libmpfr-dev libgmp-dev
-PACKAGES_TEST := libgsl-dev clang libclang-rt-14-dev valgrind gcovr python3 libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh
+PACKAGES_TEST := libgsl-dev clang libclang-rt-14-dev valgrind gcovr python3 libsisl-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh
 PACKAGES_FUZZ := clang libclang-rt-14-dev afl++
+PACKAGES_CONFORM := libgsl-dev libsisl-dev libocct-modeling-algorithms-dev python3 python3-scipy
 PACKAGES_BITS := libblas3 liblapack3 libopenblas0-pthread libatlas3-base qemu-user-static gcc-aarch64-linux-gnu gcc-s390x-linux-gnu gcc-i686-linux-gnu
 PACKAGES_BENCH := libgsl-dev libsisl-dev libocct-modeling-algorithms-dev libpagmo-dev libboost-serialization-dev libtbb-dev python3-scipy r-base-core r-cran-kohonen
 deps:
@@ -222,4 +244,4 @@ uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/share/man/man1/etalon.1
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits fuzz fuzz-min cover built check end-to-end bench programs peers deps deps-test demo install uninstall clean
+.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits fuzz fuzz-min cover built check end-to-end bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean

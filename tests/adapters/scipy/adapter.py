@@ -36,7 +36,7 @@ class Words:
 
     def real(self):
         w = self.word()
-        return float.fromhex(w)
+        return float.fromhex(w) if "x" in w.lower() else float(w)
 
     def reals(self):
         return numpy.array([self.real() for _ in range(self.count())])
