@@ -121,9 +121,9 @@ static et_vec3 quotient(homogeneous A, const et_vec3 *D, const double *w, const 
     return project(A, 1);
 }
 
-void et_curve_ders(et_vec3 *D, size_t d, const et_curve *c, double x, double *work, size_t nwork)
+void et_curve_ders_side(et_vec3 *D, size_t d, const et_curve *c, double x, et_side side, double *work, size_t nwork)
 {
-    size_t nu = c->n + c->p + 1, span = et_knots_span(c->u, nu, c->p, x), top = lesser(d, c->p);
+    size_t nu = c->n + c->p + 1, span = et_knots_span_side(c->u, nu, c->p, x, side), top = lesser(d, c->p);
     double *w = work, *binomial = w + d + 1, *N = binomial + d + 1, *room = N + (top + 1) * (c->p + 1);
     const homogeneous zero = {0.0, 0.0, 0.0, 0.0};
     et_basis_ders(N, top, c->u, nu, c->p, span, x, room, nwork - (size_t)(room - work));
@@ -133,4 +133,9 @@ void et_curve_ders(et_vec3 *D, size_t d, const et_curve *c, double x, double *wo
         pascal(binomial, k);
         D[k] = c->weights ? quotient(A, D, w, binomial, k, c->p) : project(A, 0);
     }
+}
+
+void et_curve_ders(et_vec3 *D, size_t d, const et_curve *c, double x, double *work, size_t nwork)
+{
+    et_curve_ders_side(D, d, c, x, ET_SIDE_RIGHT, work, nwork);
 }

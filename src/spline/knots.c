@@ -40,3 +40,45 @@ size_t et_knots_span(const double *u, size_t nu, size_t p, double x)
     }
     return lo;
 }
+
+size_t et_knots_span_side(const double *u, size_t nu, size_t p, double x, et_side side)
+{
+    size_t lo = p, hi = nu - p - 1;
+    if (side == ET_SIDE_RIGHT || x <= u[lo]) {
+        return et_knots_span(u, nu, p, x);
+    }
+    x = x < u[hi] ? x : u[hi];
+    while (hi - lo > 1) {     /* u[lo] < x <= u[hi] */
+        size_t mid = lo + (hi - lo) / 2;
+        if (u[mid] < x) {
+            lo = mid;
+        } else {
+            hi = mid;
+        }
+    }
+    return lo;
+}
+
+size_t et_knots_multiplicity(const double *u, size_t nu, double x)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < nu; i++) {
+        count += u[i] == x;
+    }
+    return count;
+}
+
+/* From the first knot on, so that no sum overflows: a difference's and a quotient's rounding, p - 2 of the sum; the last addition. */
+void et_knots_greville(double *g, size_t n, const double *u, size_t nu, size_t p)
+{
+    (void)nu;
+    for (size_t i = 0; i < n; i++) {
+        size_t first = p == 0 ? i : i + 1, last = p == 0 ? i + 1 : i + p;
+        double mean = 0.0, count = p == 0 ? 2.0 : (double)p;
+        for (size_t j = first + 1; j <= last; j++) {
+            mean += (u[j] - u[first]) / count;
+        }
+        mean += u[first];
+        g[i] = mean < u[last] ? mean : u[last];
+    }
+}

@@ -2,6 +2,7 @@
 #include "etalon/base/size.h"
 #include "etalon/spline/basis.h"
 #include "etalon/spline/knots.h"
+#include "surface_parts.h"
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -75,63 +76,14 @@ void et_surface_free(et_surface *s)
     *s = (et_surface){0, 0, 0, 0, NULL, NULL, NULL, NULL};
 }
 
-/* ---- contraction: over u for each column, then over v, each sum from its first term on ---- */
-
-typedef struct { double x, y, z, w; } homogeneous;
-
-static homogeneous lift(const et_surface *s, size_t index)
-{
-    et_vec3 P = s->points[index];
-    double w = s->weights ? s->weights[index] : 1.0;
-    return (homogeneous){w * P.x, w * P.y, w * P.z, w};
-}
-
-static homogeneous scale(double a, homogeneous h)
-{
-    return (homogeneous){a * h.x, a * h.y, a * h.z, a * h.w};
-}
-
-static homogeneous add(homogeneous a, homogeneous b)
-{
-    return (homogeneous){a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
-}
-
-/* T[j] = sum_k N[k] (w P)[first + k*nv + j], k = 0..p, j < n. */
-static void contract_u(homogeneous *T, size_t n, const double *N, const et_surface *s, size_t first)
-{
-    for (size_t j = 0; j < n; j++) {
-        T[j] = scale(N[0], lift(s, first + j));
-        for (size_t k = 1; k <= s->p; k++) {
-            T[j] = add(T[j], scale(N[k], lift(s, first + k * s->nv + j)));
-        }
-    }
-}
-
-static homogeneous contract_v(const homogeneous *T, const double *N, size_t q)
-{
-    homogeneous S = scale(N[0], T[0]);
-    for (size_t l = 1; l <= q; l++) {
-        S = add(S, scale(N[l], T[l]));
-    }
-    return S;
-}
-
-static et_vec3 project(homogeneous S, int rational)
-{
-    return rational ? (et_vec3){S.x / S.w, S.y / S.w, S.z / S.w} : (et_vec3){S.x, S.y, S.z};
-}
-
 /* ---- one point ---- */
 
 /* The workspace in doubles: three rows of basis values a direction, three of column sums, the basis' own room. */
 typedef struct {
     double *N, *M, *basis;
-    homogeneous *T;
+    surface_point *T;
     size_t nbasis;
 } room;
-
-/* The columns' sums live in the doubles' workspace. */
-typedef char et_surface_assert_homogeneous[sizeof(homogeneous) == 4 * sizeof(double) ? 1 : -1];
 
 static size_t greater(size_t a, size_t b)
 {
@@ -151,7 +103,7 @@ size_t et_surface_work(const et_surface *s)
 static room divide(const et_surface *s, double *work)
 {
     double *T = work + 3 * (s->p + 1) + 3 * (s->q + 1);
-    return (room){work, work + 3 * (s->p + 1), T + 12 * (s->q + 1), (homogeneous *)T, basis_work(s)};
+    return (room){work, work + 3 * (s->p + 1), T + 12 * (s->q + 1), (surface_point *)T, basis_work(s)};
 }
 
 et_vec3 et_surface_point(const et_surface *s, double u, double v, double *work, size_t nwork)
@@ -163,8 +115,8 @@ et_vec3 et_surface_point(const et_surface *s, double u, double v, double *work, 
     size_t j = et_knots_span(s->v, nv, s->q, v);
     et_basis_eval(r.N, s->u, nu, s->p, i, u, r.basis, r.nbasis);
     et_basis_eval(r.M, s->v, nv, s->q, j, v, r.basis, r.nbasis);
-    contract_u(r.T, s->q + 1, r.N, s, (i - s->p) * s->nv + j - s->q);
-    return project(contract_v(r.T, r.M, s->q), s->weights != NULL);
+    surface_contract_u(r.T, s->q + 1, r.N, s, (i - s->p) * s->nv + j - s->q);
+    return surface_project(surface_contract_v(r.T, r.M, s->q), s->weights != NULL);
 }
 
 /* (A - a S) with the homogeneous derivative A and a number a. */
@@ -179,7 +131,7 @@ static et_vec3 over(et_vec3 A, double w)
 }
 
 /* Eq. 4.20: from the homogeneous derivatives A, in the order of D, to those of the quotient. */
-static void quotient(et_vec3 D[6], const homogeneous A[6])
+static void quotient(et_vec3 D[6], const surface_point A[6])
 {
     et_vec3 B[6];
     for (size_t k = 0; k < 6; k++) {
@@ -198,7 +150,7 @@ void et_surface_ders(et_vec3 D[6], const et_surface *s, double u, double v, doub
 {
     static const size_t du[6] = {0, 1, 0, 2, 1, 0}, dv[6] = {0, 0, 1, 0, 1, 2};
     size_t nu = s->nu + s->p + 1, nv = s->nv + s->q + 1, n = s->q + 1;
-    homogeneous A[6];
+    surface_point A[6];
     room r = divide(s, work);
     (void)nwork;
     size_t i = et_knots_span(s->u, nu, s->p, u);
@@ -206,17 +158,17 @@ void et_surface_ders(et_vec3 D[6], const et_surface *s, double u, double v, doub
     et_basis_ders(r.N, 2, s->u, nu, s->p, i, u, r.basis, r.nbasis);
     et_basis_ders(r.M, 2, s->v, nv, s->q, j, v, r.basis, r.nbasis);
     for (size_t k = 0; k < 3; k++) {
-        contract_u(r.T + k * n, n, r.N + k * (s->p + 1), s, (i - s->p) * s->nv + j - s->q);
+        surface_contract_u(r.T + k * n, n, r.N + k * (s->p + 1), s, (i - s->p) * s->nv + j - s->q);
     }
     for (size_t k = 0; k < 6; k++) {
-        A[k] = contract_v(r.T + du[k] * n, r.M + dv[k] * n, s->q);
+        A[k] = surface_contract_v(r.T + du[k] * n, r.M + dv[k] * n, s->q);
     }
     if (s->weights) {
         quotient(D, A);
         return;
     }
     for (size_t k = 0; k < 6; k++) {
-        D[k] = project(A[k], 0);
+        D[k] = surface_project(A[k], 0);
     }
 }
 
@@ -405,7 +357,7 @@ void et_surface_points(et_vec3 *S, const et_surface *s, const double *u, const d
 typedef struct {
     double *M, *N, *basis;
     size_t *span;
-    homogeneous *T;
+    surface_point *T;
     size_t lo, hi, nbasis;                /* columns lo .. hi-1 of the net are met */
 } lines;
 
@@ -429,7 +381,7 @@ static et_status lines_new(lines *l, const et_surface *s, const double *b, size_
     l->N = et_size_array(s->p + 1, sizeof(double));
     l->basis = et_size_array(l->nbasis, sizeof(double));
     l->span = et_size_array(nb, sizeof(size_t));
-    l->T = et_size_array(s->nv, sizeof(homogeneous));
+    l->T = et_size_array(s->nv, sizeof(surface_point));
     if (!l->M || !l->N || !l->basis || !l->span || !l->T) {
         lines_free(l);
         return ET_ENOMEM;
@@ -466,13 +418,13 @@ et_status et_surface_grid(et_vec3 *S, const et_surface *s, const double *a, size
     for (size_t i = 0; i < na && nb > 0; i++) {
         size_t k = et_knots_span(s->u, s->nu + s->p + 1, s->p, a[i]);
         et_basis_eval(l.N, s->u, s->nu + s->p + 1, s->p, k, a[i], l.basis, l.nbasis);
-        contract_u(l.T + l.lo, l.hi - l.lo, l.N, s, (k - s->p) * s->nv + l.lo);
+        surface_contract_u(l.T + l.lo, l.hi - l.lo, l.N, s, (k - s->p) * s->nv + l.lo);
         if (s->q == 3 && !s->weights) {
             line_cubic(S + i * nb, &l, nb);
             continue;
         }
         for (size_t j = 0; j < nb; j++) {
-            S[i * nb + j] = project(contract_v(l.T + l.span[j], l.M + j * (s->q + 1), s->q), s->weights != NULL);
+            S[i * nb + j] = surface_project(surface_contract_v(l.T + l.span[j], l.M + j * (s->q + 1), s->q), s->weights != NULL);
         }
     }
     lines_free(&l);

@@ -1,0 +1,317 @@
+#include "curve_parts.h"
+#include "etalon/base/size.h"
+#include "etalon/spline/knots.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- storage ---- */
+
+et_status curve_net_new(curve_net *net, size_t p, size_t n, size_t room, size_t lines, int rational)
+{
+    size_t count;
+    if (room > SIZE_MAX - n || p > SIZE_MAX - 1 - n - room || et_size_mul(&count, n + room, lines) != ET_OK) {
+        return ET_ENOMEM;
+    }
+    curve_net t = {p, n, lines, rational, 0, et_size_array(n + room + p + 1, sizeof(double)), et_size_array(count, sizeof(curve_point)),
+                   et_size_array(n + room, sizeof(size_t))};
+    if (!t.u || !t.h || !t.from) {
+        curve_net_free(&t);
+        return ET_ENOMEM;
+    }
+    *net = t;
+    return ET_OK;
+}
+
+void curve_net_free(curve_net *net)
+{
+    free(net->u);
+    free(net->h);
+    free(net->from);
+    *net = (curve_net){0, 0, 0, 0, 0, NULL, NULL, NULL};
+}
+
+/* The exponent of the greatest weight. */
+static int exponent_of(const curve_controls *c, size_t n, size_t lines)
+{
+    int exponent = 0;
+    double most = 0.0;
+    for (size_t i = 0; c->weights && i < n; i++) {
+        for (size_t j = 0; j < lines; j++) {
+            most = fmax(most, c->weights[i * c->step + j * c->across]);
+        }
+    }
+    frexp(most, &exponent);
+    return exponent;
+}
+
+et_status curve_net_load(curve_net *net, size_t p, size_t n, size_t room, size_t lines, const double *u, const curve_controls *c)
+{
+    et_status status = curve_net_new(net, p, n, room, lines, c->weights != NULL);
+    if (status != ET_OK) {
+        return status;
+    }
+    memcpy(net->u, u, (n + p + 1) * sizeof *u);
+    net->exponent = exponent_of(c, n, lines);
+    for (size_t i = 0; i < n; i++) {
+        net->from[i] = i;
+        for (size_t j = 0; j < lines; j++) {
+            et_vec3 P = c->points[i * c->step + j * c->across];
+            double w = c->weights ? ldexp(c->weights[i * c->step + j * c->across], -net->exponent) : 1.0;
+            net->h[i * lines + j] = (curve_point){w * P.x, w * P.y, w * P.z, w};
+        }
+    }
+    return ET_OK;
+}
+
+void curve_net_store(double *u, const curve_controls *to, const curve_net *net, const curve_controls *old)
+{
+    memcpy(u, net->u, (net->n + net->p + 1) * sizeof *u);
+    for (size_t i = 0; i < net->n; i++) {
+        for (size_t j = 0; j < net->lines; j++) {
+            size_t at = i * to->step + j * to->across, before = net->from[i] * old->step + j * old->across;
+            curve_point h = net->h[i * net->lines + j];
+            if (net->from[i] == CURVE_COMPUTED) {
+                to->points[at] = net->rational ? (et_vec3){h.x / h.w, h.y / h.w, h.z / h.w} : (et_vec3){h.x, h.y, h.z};
+            } else {
+                to->points[at] = old->points[before];
+            }
+            if (net->rational) {
+                to->weights[at] = net->from[i] == CURVE_COMPUTED ? ldexp(h.w, net->exponent) : old->weights[before];
+            }
+        }
+    }
+}
+
+/* ---- insertion ---- */
+
+int curve_net_insertable(const double *u, size_t p, size_t n, double x, size_t times)
+{
+    size_t s = et_knots_multiplicity(u, n + p + 1, x);
+    return x >= u[p] && x <= u[n] && (times == 0 || (s <= p && times <= p + 1 - s));
+}
+
+/* The last knot not beyond x. */
+static size_t last_of(const double *u, double x)
+{
+    size_t k = 0;
+    while (u[k + 1] <= x) {
+        k++;
+    }
+    return k;
+}
+
+/* a P + b Q: where a and b have three roundings, five of each term. */
+static curve_point combine(double a, curve_point P, double b, curve_point Q)
+{
+    return (curve_point){a * P.x + b * Q.x, a * P.y + b * Q.y, a * P.z + b * Q.z, a * P.w + b * Q.w};
+}
+
+/* Makes room at point i, which stands there twice now, for all lines. */
+static void shift_up(curve_net *net, size_t i)
+{
+    size_t lines = net->lines;
+    memmove(net->h + (i + 1) * lines, net->h + i * lines, (net->n - i) * lines * sizeof *net->h);
+    memmove(net->from + i + 1, net->from + i, (net->n - i) * sizeof *net->from);
+    net->n++;
+}
+
+/* A5.1, one knot: Q_i = a P_i + (1 - a) P_{i-1}, a = (x - u_i)/(u_{i+p} - u_i), i = k-p+1 .. k-s, from the last to the first in place. */
+static void insert_once(curve_net *net, size_t k, size_t s, double x)
+{
+    size_t p = net->p, lines = net->lines, nu = net->n + p + 1;
+    double *u = net->u;
+    shift_up(net, k - s);
+    for (size_t i = k - s; i + p > k; i--) {
+        double width = u[i + p] - u[i], a = (x - u[i]) / width, b = (u[i + p] - x) / width;
+        net->from[i] = CURVE_COMPUTED;
+        for (size_t j = 0; j < lines; j++) {
+            curve_point *h = net->h + i * lines + j;
+            h[0] = combine(a, h[0], b, *(h - lines));
+        }
+    }
+    memmove(u + k + 2, u + k + 1, (nu - k - 1) * sizeof *u);
+    u[k + 1] = x;
+}
+
+void curve_net_insert(curve_net *net, double x, size_t times)
+{
+    if (times == 0) {
+        return;
+    }
+    size_t s = et_knots_multiplicity(net->u, net->n + net->p + 1, x), k = last_of(net->u, x);
+    for (size_t t = 0; t < times; t++) {
+        insert_once(net, k + t, s + t, x);
+    }
+}
+
+/* ---- removal ---- */
+
+int curve_net_removable(const double *u, size_t p, size_t n, double x)
+{
+    return u[p] < x && x < u[n] && et_knots_multiplicity(u, n + p + 1, x) > 0;
+}
+
+static et_status net_copy(curve_net *copy, const curve_net *net)
+{
+    et_status status = curve_net_new(copy, net->p, net->n, 0, net->lines, net->rational);
+    if (status == ET_OK) {
+        copy->exponent = net->exponent;
+    }
+    return status;
+}
+
+static void fill(curve_net *to, const curve_net *net)
+{
+    to->n = net->n;
+    memcpy(to->u, net->u, (net->n + net->p + 1) * sizeof *net->u);
+    memcpy(to->h, net->h, net->n * net->lines * sizeof *net->h);
+    memcpy(to->from, net->from, net->n * sizeof *net->from);
+}
+
+static int finite(curve_point h)
+{
+    return isfinite(h.x) && isfinite(h.y) && isfinite(h.z) && isfinite(h.w);
+}
+
+/* sqrt(x^2 + y^2 + z^2 + w^2); nothing over- or underflows that matters.  Infinite where a coordinate is infinite or not a number. */
+static double length(curve_point d)
+{
+    double most = fmax(fmax(fabs(d.x), fabs(d.y)), fmax(fabs(d.z), fabs(d.w)));
+    if (!finite(d)) {
+        return HUGE_VAL;
+    }
+    if (most == 0.0) {
+        return 0.0;
+    }
+    d = (curve_point){d.x / most, d.y / most, d.z / most, d.w / most};
+    return most * sqrt(d.x * d.x + d.y * d.y + d.z * d.z + d.w * d.w);
+}
+
+static double distance(const curve_net *net, curve_point a, curve_point b)
+{
+    return length((curve_point){a.x - b.x, a.y - b.y, a.z - b.z, net->rational ? a.w - b.w : 0.0});
+}
+
+/* With the knot x in, P_i = a Q_i + b Q_{i-1}, a = (x - u_i)/(u_{i+p+1} - u_i) and b = 1 - a. */
+typedef struct { double a, b; } shares;
+
+static shares shares_of(const curve_net *net, size_t i, double x)
+{
+    double lo = net->u[i], hi = net->u[i + net->p + 1];
+    return (shares){(x - lo) / (hi - lo), (hi - x) / (hi - lo)};
+}
+
+static curve_point solve(curve_point P, double known, curve_point Q, double share)
+{
+    return (curve_point){(P.x - known * Q.x) / share, (P.y - known * Q.y) / share, (P.z - known * Q.z) / share, (P.w - known * Q.w) / share};
+}
+
+/* From the left Q_i, which takes the place of P_i; from the right Q_{i-1}, which does, too. */
+static void solve_left(curve_net *net, size_t i, double x)
+{
+    shares s = shares_of(net, i, x);
+    net->from[i] = CURVE_COMPUTED;
+    for (size_t j = 0; j < net->lines; j++) {
+        curve_point *h = net->h + i * net->lines + j;
+        h[0] = solve(h[0], s.b, *(h - net->lines), s.a);
+    }
+}
+
+static void solve_right(curve_net *net, size_t i, double x)
+{
+    shares s = shares_of(net, i, x);
+    net->from[i] = CURVE_COMPUTED;
+    for (size_t j = 0; j < net->lines; j++) {
+        curve_point *h = net->h + i * net->lines + j;
+        h[0] = solve(h[0], s.a, h[net->lines], s.b);
+    }
+}
+
+static void drop(curve_net *net, size_t i, size_t knot)
+{
+    size_t after = net->n - i - 1, lines = net->lines;
+    memmove(net->u + knot, net->u + knot + 1, (net->n + net->p - knot) * sizeof *net->u);
+    memmove(net->h + i * lines, net->h + (i + 1) * lines, after * lines * sizeof *net->h);
+    memmove(net->from + i, net->from + i + 1, after * sizeof *net->from);
+    net->n--;
+}
+
+/* The greatest of the lines' deviations: what the equation left over is not satisfied by, or, with none left over, by how much the two ways to the
+ * middle point differ. */
+static double deviation(const curve_net *net, size_t i, int odd, double x)
+{
+    double most = 0.0;
+    shares s = odd ? shares_of(net, i, x) : (shares){0.0, 0.0};
+    for (size_t j = 0; j < net->lines; j++) {
+        const curve_point *h = net->h + i * net->lines + j;
+        curve_point want = odd ? combine(s.a, h[net->lines], s.b, *(h - net->lines)) : h[net->lines];
+        double d = distance(net, h[0], want);
+        most = d > most ? d : most;
+    }
+    return most;
+}
+
+/* Finite, and weights positive. */
+static int sound(const curve_net *net)
+{
+    for (size_t k = 0; k < net->n * net->lines; k++) {
+        if (!finite(net->h[k]) || (net->rational && !(net->h[k].w > 0.0))) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* A5.8, one knot, the last of those equal to x: half of the equations are solved from the left, half from the right.  How far no point of the curve
+ * moves; infinite where a weight would not be positive. */
+static double remove_once(curve_net *net, double x)
+{
+    size_t p = net->p, s = et_knots_multiplicity(net->u, net->n + p + 1, x), r = last_of(net->u, x);
+    size_t equations = s <= p ? p + 1 - s : 0, half = equations / 2;
+    for (size_t k = 0; k < half; k++) {
+        solve_left(net, r - p + k, x);
+        solve_right(net, r - s - k, x);
+    }
+    int odd = equations % 2 == 1;
+    size_t middle = r - p + half - (odd ? 0 : 1);
+    /* Of more than p + 1 equal knots this point's function is zero. */
+    double d = s > p + 1 ? 0.0 : deviation(net, middle, odd, x);
+    drop(net, middle, r);
+    return sound(net) ? d : HUGE_VAL;
+}
+
+/* Eq. 5.30, the tolerance itself added to the divisor: the bound then holds for large tolerances, too. */
+static double homogeneous_tolerance(const curve_net *net, double tolerance)
+{
+    double least = HUGE_VAL, most = 0.0;
+    for (size_t k = 0; k < net->n * net->lines; k++) {
+        curve_point h = net->h[k];
+        least = fmin(least, h.w);
+        most = fmax(most, length((curve_point){h.x / h.w, h.y / h.w, h.z / h.w, 0.0}));
+    }
+    return net->rational ? least * (tolerance / (1.0 + most + tolerance)) : tolerance;
+}
+
+et_status curve_net_remove(curve_net *net, size_t *removed, double x, size_t times, double tolerance)
+{
+    curve_net t;
+    size_t count = 0, s = et_knots_multiplicity(net->u, net->n + net->p + 1, x);
+    double left = homogeneous_tolerance(net, tolerance);
+    if (net_copy(&t, net) != ET_OK) {
+        return ET_ENOMEM;
+    }
+    while (count < times && count < s) {
+        fill(&t, net);
+        double d = remove_once(&t, x);
+        if (!(d <= left)) {
+            break;
+        }
+        left -= d;
+        fill(net, &t);
+        count++;
+    }
+    curve_net_free(&t);
+    *removed = count;
+    return ET_OK;
+}
