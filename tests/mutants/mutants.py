@@ -1,0 +1,469 @@
+#!/usr/bin/env python3
+"""mutants.py --build FOLDER --objects FILES... --libs FLAGS [options]: which small faults in the code do the tests notice?
+
+Instruments the sources (instrument.py), builds one program with all mutants in it (run.c), watches which of them make a difference in which cases of
+which test, tries each in those cases, and compares what survives with the list of explained survivors.  Answers are kept in FOLDER/answers.tsv; what
+is there is not tried again unless the code or, for a survivor, a test has changed."""
+import argparse
+import collections
+import fnmatch
+import hashlib
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import instrument  # noqa: E402
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOMS = ['spline', 'net', 'som', 'fit', 'refine', 'exact']
+CFLAGS = ['-O1', '-g0', '-w', '-std=gnu99', '-ffp-contract=off', '-fno-math-errno', '-fwrapv', '-fno-strict-aliasing', '-D_POSIX_C_SOURCE=200809L']
+FLAGS = ['-Iinclude', '-Isrc']
+
+
+def digest(*parts):
+    h = hashlib.sha256()
+    for p in parts:
+        h.update(p if isinstance(p, bytes) else p.encode('utf-8', 'surrogateescape'))
+        h.update(b'\0')
+    return h.hexdigest()[:24]
+
+
+def read(path):
+    with open(path, 'rb') as f:
+        return f.read()
+
+
+def listed(*folders, ends):
+    return sorted(os.path.join(d, f) for top in folders for d, _, fs in os.walk(top) for f in fs if f.endswith(ends))
+
+
+def write_if_new(path, text):
+    data = text.encode('latin-1', 'replace') if isinstance(text, str) else text
+    if os.path.exists(path) and read(path) == data:
+        return
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path + '.new', 'wb') as f:
+        f.write(data)
+    os.replace(path + '.new', path)
+
+
+# Instrumenting and building.
+
+def units_of(folder, room, sources):
+    """The instrumented files of a room, as plain data; kept until a source or a header changes."""
+    headers = [p for p in listed('include', 'src', ends='.h')]
+    key = digest(*[read(p) for p in sources + headers], read(instrument.__file__), *sources)
+    kept = os.path.join(folder, 'room_%s.json' % room)
+    if os.path.exists(kept):
+        with open(kept) as f:
+            old = json.load(f)
+        if old['key'] == key:
+            return old['units']
+    units = instrument.instrument(sources, FLAGS, os.path.join(folder, 'prelude.h'))
+    made = [dict(path=u.path, name=u.name, points=u.points, mutants=u.mutants, text=u.result(), source=digest(u.text)) for u in units.values()]
+    with open(kept + '.new', 'w') as f:
+        json.dump(dict(key=key, units=made), f)
+    os.replace(kept + '.new', kept)
+    return made
+
+
+def name_mutants(units):
+    """Every mutant gets its number and a name that outlives changes elsewhere in the file."""
+    every = []
+    for u in units:
+        count = collections.Counter()
+        for m in u['mutants']:
+            same = (m['function'], m['before'], m['after'])
+            count[same] += 1
+            m['which'] = count[same]
+            m['name'] = '%s\t%s\t%s\t%s\t%d' % (m['file'], m['function'], m['before'], m['after'], m['which'])
+            m['source'] = u['source']
+            m['number'] = len(every)
+            every.append(m)
+    return every
+
+
+def tables(units):
+    out, number = ['#include "mutants.h"'], 0
+    for u in units:
+        first = []
+        for n in u['points']:
+            first.append(number)
+            number += n
+        first.append(number)
+        out.append('unsigned char et_on_%s[%d];' % (u['name'], max(1, len(u['points']))))
+        out.append('static const unsigned first_%s[] = { %s };' % (u['name'], ', '.join(map(str, first))))
+        out.append('const et_points et_at_%s = { "%s", et_on_%s, first_%s, %d };' % (u['name'], u['path'], u['name'], u['name'], len(u['points'])))
+    out.append('const et_points *const et_files[] = { %s 0 };' % ''.join('&et_at_%s, ' % u['name'] for u in units))
+    out.append('const unsigned et_mutants = %d;' % number)
+    return '\n'.join(out) + '\n'
+
+
+def compile_one(cc, source, target, flags, key):
+    if os.path.exists(target) and os.path.exists(target + '.key') and read(target + '.key').decode() == key:
+        return None
+    os.makedirs(os.path.dirname(target), exist_ok=True)
+    done = subprocess.run([cc] + flags + ['-c', '-o', target, source], stderr=subprocess.PIPE, text=True)
+    if done.returncode:
+        return done.stderr[:3000]
+    with open(target + '.key', 'w') as f:
+        f.write(key)
+    return None
+
+
+def build(o, units):
+    """The program with all mutants; its parts are compiled again when their text changes."""
+    here = os.path.join(o.build, 'src_' + '_'.join(o.rooms))
+    write_if_new(os.path.join(here, 'points.c'), tables(units))
+    jobs = []
+    headers = digest(*[read(p) for p in listed('include', 'src', 'tests', ends='.h')], *[u['text'] for u in units if u['path'].endswith('.h')])
+    for u in units:
+        write_if_new(os.path.join(here, u['path']), u['text'])
+    flags = CFLAGS + o.extra + ['-I' + HERE, '-I' + os.path.join(here, 'src')] + FLAGS
+    for u in units:
+        if u['path'].endswith('.c'):
+            jobs.append((os.path.join(here, u['path']), flags + ['-I' + os.path.dirname(u['path'])]))
+    for room in o.rooms:        # files without a point are needed all the same
+        for path in listed('src/' + room, ends='.c'):
+            if path not in {u['path'] for u in units}:
+                jobs.append((path, flags))
+    jobs.append((os.path.join(here, 'points.c'), flags))
+    jobs.append((os.path.join(HERE, 'run.c'), CFLAGS[1:] + o.extra + ['-O2', '-I' + HERE, '-Itests'] + FLAGS))
+    objects, faults = [], []
+    lock, queue = threading.Lock(), list(jobs)
+
+    def work():
+        while True:
+            with lock:
+                if not queue:
+                    return
+                source, f = queue.pop()
+            target = os.path.join(here, 'o', re.sub(r'\W', '_', source) + '.o')
+            fault = compile_one(o.cc, source, target, f, digest(read(source), headers, ' '.join(f)))
+            with lock:
+                objects.append(target)
+                if fault:
+                    faults.append('%s\n%s' % (source, fault))
+    run_threads([work] * o.jobs)
+    if faults:
+        raise SystemExit('mutants: does not compile\n' + '\n'.join(faults))
+    mine = tuple('/src/%s/' % r for r in o.rooms)
+    others = [p for p in o.objects if not (any(r in p for r in mine) and p.endswith('.c.o')) and not p.endswith(('/tests/check.c.o', '/tests/shrink.c.o'))]
+    program = os.path.join(here, 'run')
+    key = digest(*[read(p) for p in sorted(objects) + others])
+    if not os.path.exists(program) or not os.path.exists(program + '.key') or read(program + '.key').decode() != key:
+        subprocess.run([o.cc] + o.extra + ['-o', program] + sorted(objects) + others + o.libs.split(), check=True)
+        with open(program + '.key', 'w') as f:
+            f.write(key)
+    return program, key, others
+
+
+def run_threads(works):
+    threads = [threading.Thread(target=w, daemon=True) for w in works]
+    for t in threads:
+        t.start()
+    for t in threads:
+        while t.is_alive():
+            t.join(0.2)
+
+
+# Watching.
+
+def unit_keys(o, program, units, others):
+    """What each unit of test depends on: the instrumented code, its own test file, its rows or cases."""
+    code = digest(*[u['text'] for u in units], tables(units))
+    common = digest(*[read(p) for p in others if '/tests/' not in p or re.search(r'/tests/(gen|golden)\.c\.o$', p)])
+    text = {p: read(re.sub(r'^.*?/(tests/.*\.c)\.o$', r'\1', p)).decode('latin-1') for p in others if re.search(r'/tests/.*/test_\w+\.c\.o$', p)}
+    where = {}
+    for p, t in text.items():
+        for kind, name in re.findall(r'^verdict (prop|gold|true)_([a-z0-9_]+)\(', t, re.M):
+            where[kind, name] = p
+    objects = {p: digest(read(p)) for p in text}
+    tests = digest(*[objects[p] for p in sorted(objects)])
+    keys = {}
+    for line in subprocess.run([program, '--list'], stdout=subprocess.PIPE, text=True, check=True, env=environment(o)).stdout.splitlines():
+        name, module, cases = line.split('\t')
+        if name.startswith(('golden.', 'truth.')):
+            table = 'golden/%s.tsv' % name.split('.')[1]
+            used = {f.split('\t')[0] for f in read(table).decode().splitlines() if f and not f.startswith('#')}
+            own = [objects[where[k, f]] for k in (('gold',) if name.startswith('golden.') else ('true',)) for f in sorted(used) if (k, f) in where]
+            keys[name] = digest(code, common, read(table), *own)
+        else:
+            prop = name[7:] if name.startswith('corpus.') else name
+            own = objects[where['prop', prop]] if ('prop', prop) in where else tests
+            files = [read(p) for p in o.corpus if os.path.basename(p).split('.')[0] == prop] if name.startswith('corpus.') else []
+            keys[name] = digest(code, common, own, cases, *files)
+    return keys
+
+
+def environment(o):
+    env = dict(os.environ, ET_TABLES=' '.join(o.tables), ET_CORPUS=' '.join(o.corpus), OMP_NUM_THREADS='1', OPENBLAS_NUM_THREADS='1')
+    return env
+
+
+def watch(o, program, units, others):
+    folder = os.path.join(o.build, 'seen_' + '_'.join(o.rooms))
+    os.makedirs(folder, exist_ok=True)
+    keys = unit_keys(o, program, units, others)
+    todo = [n for n in keys if not os.path.exists(os.path.join(folder, n + '.seen')) or not os.path.exists(os.path.join(folder, n + '.key'))
+            or read(os.path.join(folder, n + '.key')).decode() != keys[n]]
+    if todo:
+        say('watching %d of %d units of test' % (len(todo), len(keys)))
+    done, bad, lock, began = [0], [], threading.Lock(), time.time()
+    queue = list(reversed(todo))
+
+    def work():
+        while True:
+            with lock:
+                if not queue or stopping.is_set():
+                    return
+                name = queue.pop()
+            p = subprocess.Popen([program, '--watch', folder, name], stdout=subprocess.PIPE, text=True, env=environment(o), start_new_session=True)
+            with lock:
+                children.append(p)
+            out = p.communicate()[0]
+            with lock:
+                children.remove(p)
+                done[0] += 1
+                if p.returncode and not stopping.is_set():
+                    bad.append(out.strip())
+                elif not p.returncode:
+                    with open(os.path.join(folder, name + '.key'), 'w') as f:
+                        f.write(keys[name])
+                progress('watching', done[0], len(todo), began)
+    run_threads([work] * o.jobs)
+    if stopping.is_set():
+        raise SystemExit(130)
+    for b in bad:
+        print(b)
+    if bad:
+        raise SystemExit('mutants: %d units of test fail without any mutant' % len(bad))
+    return folder, digest(*[k + keys[k] for k in sorted(keys)])
+
+
+# Trying.
+
+stopping = threading.Event()
+children = []
+
+
+def stop(*_):
+    stopping.set()
+    for c in list(children):
+        try:
+            os.killpg(c.pid, signal.SIGTERM)
+        except OSError:
+            pass
+
+
+def say(text):
+    print(text, flush=True)
+
+
+last_told = [0.0]
+
+
+def progress(what, done, of, began, extra=''):
+    now = time.time()
+    tty = sys.stderr.isatty()
+    if now - last_told[0] < (0.2 if tty else 30) and done < of:
+        return
+    last_told[0] = now
+    rate = done / max(now - began, 1e-9)
+    left = (of - done) / rate if rate else 0
+    text = '%s %d of %d, %.1f a second, %d:%02d left%s' % (what, done, of, rate, left // 60, left % 60, extra)
+    sys.stderr.write('\r\x1b[K' + text + ('\n' if done == of else '') if tty else text + '\n')
+    sys.stderr.flush()
+
+
+def load_answers(path):
+    answers = {}
+    if os.path.exists(path):
+        with open(path, encoding='latin-1') as f:
+            for line in f:
+                parts = line.rstrip('\n').split('\t')
+                if len(parts) == 11:
+                    answers['\t'.join(parts[:5])] = dict(source=parts[5], how=parts[6], unit=parts[7], case=int(parts[8]), spent=float(parts[9]), tests=parts[10])
+    return answers
+
+
+ALIVE = ('survived', 'budget', 'unreached')
+
+
+def try_all(o, program, seen, tests, mutants, answers, path):
+    todo = []
+    for m in mutants:
+        a = answers.get(m['name'])
+        if not o.fresh and a and a['source'] == m['source'] and (a['how'] not in ALIVE or a['tests'] == tests):
+            continue
+        todo.append(m)
+    if not todo:
+        return
+    say('trying %d mutants' % len(todo))
+    by_number = {m['number']: m for m in mutants}
+    queue = [m['number'] for m in reversed(todo)]
+    lock, done, alive, began = threading.Lock(), [0], [0], time.time()
+    out = open(path, 'a', encoding='latin-1')
+
+    def work():
+        env = environment(o)
+        p = subprocess.Popen([program, '--kill', seen, str(o.budget)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=env, start_new_session=True)
+        with lock:
+            children.append(p)
+        while not stopping.is_set():
+            with lock:
+                if not queue:
+                    break
+                n = queue.pop()
+            p.stdin.write('%d\n' % n)
+            p.stdin.flush()
+            line = p.stdout.readline().split()
+            if len(line) != 5:
+                break
+            m = by_number[int(line[0])]
+            a = dict(source=m['source'], how=line[1], unit=line[2], case=int(line[3]), spent=float(line[4]), tests=tests)
+            with lock:
+                answers[m['name']] = a
+                out.write('\t'.join([m['name'], a['source'], a['how'], a['unit'], str(a['case']), '%.3f' % a['spent'], tests]) + '\n')
+                out.flush()
+                done[0] += 1
+                alive[0] += a['how'] in ALIVE
+                progress('tried', done[0], len(todo), began, ', %d survive' % alive[0])
+        p.stdin.close()
+        p.wait()
+        with lock:
+            children.remove(p)
+    run_threads([work] * o.jobs)
+    out.close()
+    if stopping.is_set():
+        say('stopped; what has been tried is kept')
+        raise SystemExit(130)
+
+
+# Telling.
+
+def load_explained(path):
+    """file:function, before -> after, optional #which; kind; reason."""
+    rules = []
+    if os.path.exists(path):
+        with open(path, encoding='utf-8') as f:
+            for n, line in enumerate(f, 1):
+                line = line.rstrip('\n')
+                if not line or line.startswith('#'):
+                    continue
+                parts = line.split('\t')
+                if len(parts) != 4 or parts[2] not in ('equivalent', 'memory', 'speed', 'open'):
+                    raise SystemExit('%s:%d: four columns: file:function, before -> after, kind, reason' % (path, n))
+                rules.append(dict(line=n, place=parts[0], change=parts[1], kind=parts[2], reason=parts[3], used=0))
+    return rules
+
+
+def explain(m, index):
+    change = '%s -> %s' % (m['before'], m['after'])
+    for place in ('%s:%s' % (m['file'], m['function']), m['file']):
+        for c in ('%s #%d' % (change, m['which']), change):
+            if (place, c) in index:
+                index[place, c]['used'] += 1
+                return index[place, c]
+    return None
+
+
+def report(o, mutants, answers):
+    rules = load_explained(os.path.join(HERE, 'explained.tsv') if o.explained is None else o.explained)
+    index = {(r['place'], r['change']): r for r in rules}
+    per_file = collections.OrderedDict()
+    counts, lines = collections.Counter(), []
+    for m in mutants:
+        a = answers.get(m['name'])
+        row = per_file.setdefault(m['file'], collections.Counter())
+        how = 'untried' if a is None or a['source'] != m['source'] else 'alive' if a['how'] in ALIVE else 'killed'
+        row['all'] += 1
+        if how == 'alive':
+            e = explain(m, index)
+            how = e['kind'] if e else 'unexplained'
+            if how in ('unexplained', 'open') or o.verbose:
+                lines.append('%s:%d: %s: %s  ->  %s (%s)%s' % (m['file'], m['line'], m['function'], m['before'], m['after'], a['how'], ': ' + e['reason'] if e else ''))
+        row[how] += 1
+        counts[how] += 1
+    same = counts['equivalent'] + counts['memory'] + counts['speed']
+    tried = len(mutants) - counts['untried']
+    share = 100.0 * counts['killed'] / max(1, tried - same)
+    return per_file, counts, lines, share, [r for r in rules if not r['used']]
+
+
+def options():
+    p = argparse.ArgumentParser()
+    p.add_argument('--build', required=True)
+    p.add_argument('--cc', default='gcc')
+    p.add_argument('--extra', default='')
+    p.add_argument('--objects', default='')
+    p.add_argument('--libs', default='')
+    p.add_argument('--rooms', default=' '.join(ROOMS))
+    p.add_argument('--files', default='')
+    p.add_argument('--sample', default='1/1')
+    p.add_argument('--budget', type=float, default=5)
+    p.add_argument('--jobs', type=int, default=os.cpu_count() or 1)
+    p.add_argument('--fresh', action='store_true')
+    p.add_argument('--verbose', action='store_true')
+    p.add_argument('--report', action='store_true')
+    p.add_argument('--docs')
+    p.add_argument('--explained')
+    p.add_argument('--tables', default=None)
+    p.add_argument('--corpus', default=None)
+    o = p.parse_args()
+    o.rooms = [r for r in ROOMS if r in o.rooms.split()] or o.rooms.split()
+    o.files, o.objects, o.extra = o.files.split(), o.objects.split(), o.extra.split()
+    o.tables = sorted(listed('golden', ends='.tsv')) if o.tables is None else o.tables.split()
+    modules = {os.path.basename(p)[:-4] for p in o.objects} if False else None
+    o.tables = [t for t in o.tables if os.path.dirname(t) == 'golden']
+    o.corpus = sorted(os.path.join(d, f) for d, _, fs in os.walk('fuzz/corpus') for f in fs) if o.corpus is None else o.corpus.split()
+    a, b = o.sample.split('/')
+    o.sample = int(a), int(b)
+    return o
+
+
+def selected(o, m):
+    if o.files and not any(fnmatch.fnmatch(m['file'], f) or os.path.basename(m['file']) == f for f in o.files):
+        return False
+    return int(digest(m['name'])[:8], 16) % o.sample[1] < o.sample[0]
+
+
+def main():
+    o = options()
+    os.makedirs(o.build, exist_ok=True)
+    signal.signal(signal.SIGINT, stop)
+    signal.signal(signal.SIGTERM, stop)
+    units = []
+    for room in o.rooms:
+        units += units_of(o.build, room, [p for p in listed('src/' + room, ends='.c')])
+    mutants = name_mutants(units)
+    path = os.path.join(o.build, 'answers.tsv')
+    answers = load_answers(path)
+    chosen = [m for m in mutants if selected(o, m)]
+    say('%d mutants in %d files%s' % (len(mutants), len(units), '' if len(chosen) == len(mutants) else ', %d chosen' % len(chosen)))
+    if not o.report:
+        program, _, others = build(o, units)
+        seen, tests = watch(o, program, units, others)
+        try_all(o, program, seen, tests, chosen, answers, path)
+    per_file, counts, lines, share, unused = report(o, chosen, answers)
+    for line in lines:
+        print(line)
+    print('%-32s %8s %8s %8s %8s' % ('file', 'mutants', 'killed', 'equal', 'alive'))
+    for f, c in per_file.items():
+        print('%-32s %8d %8d %8d %8d' % (f, c['all'], c['killed'], c['equivalent'] + c['memory'] + c['speed'], c['open'] + c['unexplained']))
+    print('%d mutants, %d killed, %d equivalent, %d known to be open, %d unexplained, %d not tried: %.2f %% of those that are not equivalent are killed'
+          % (len(chosen), counts['killed'], counts['equivalent'] + counts['memory'] + counts['speed'], counts['open'], counts['unexplained'], counts['untried'], share))
+    if counts['unexplained']:
+        print('FAIL mutants: %d survivors that tests/mutants/explained.tsv does not explain' % counts['unexplained'])
+        raise SystemExit(1)
+    print('ok mutants')
+
+
+if __name__ == '__main__':
+    main()
