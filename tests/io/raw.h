@@ -25,13 +25,13 @@ static inline bool raw_draw(gen *g, raw_file *f, const char *ending, const sampl
     return gen_check(g, raw_spill(some_path(f->path, ending), f->bytes, f->n), "%s cannot be written", f->path);
 }
 
-/* Lines, each with its end (LF, CR LF, CR) or, the last, without. */
+/* Lines at most, each with its end or, the last, without: LF, CR LF, CR; after a line that ended in CR alone, CR LF may be two ends. */
 static inline size_t raw_lines(const raw_file *f)
 {
     size_t lines = 0;
 
     for (size_t i = 0; i < f->n; i++)
-        lines += f->bytes[i] == '\n' || i + 1 == f->n || (f->bytes[i] == '\r' && f->bytes[i + 1] != '\n');
+        lines += f->bytes[i] == '\n' || f->bytes[i] == '\r' || i + 1 == f->n;
     return lines;
 }
 
