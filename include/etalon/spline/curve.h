@@ -111,21 +111,101 @@ et_vec3 et_curve_point(const et_curve *c, double x, double *work, size_t nwork);
 */
 void et_curve_ders(et_vec3 *D, size_t d, const et_curve *c, double x, double *work, size_t nwork);
 
-/* A copy with storage of its own. */
+/* A copy with storage of its own.  ET_EINVAL (sizes as in et_curve_new), ET_ENOMEM.
+ * Golden: none (a copy). */
+/*@ requires copy:  \valid(copy);
+    requires c:     \valid_read(c) && et_curve_stored(c);
+    requires apart: \separated(copy, c);
+    assigns  *copy;
+    ensures  sizes: \result == ET_OK ==> copy->p == c->p && copy->n == c->n && (copy->weights == \null <==> c->weights == \null);
+    ensures  own:   \result == ET_OK ==> copy->u != c->u && copy->points != c->points;
+    ensures  kept:  \result != ET_OK ==> *copy == \old(*copy);
+*/
 et_status et_curve_copy(et_curve *copy, const et_curve *c);
 
-/* et_curve_ders with the derivatives' side chosen at knots. */
+/* et_curve_ders with the side chosen at knots, of the value, too, which jumps at inner knots of multiplicity p + 1 and more; from the right its bits.
+ * The same bounds, with the terms of that side. */
+/*@ requires c:      \valid_read(c) && et_curve_ok(c);
+    requires D:      \valid(D + (0 .. d));
+    requires finite: \is_finite(x);
+    requires side:   side == ET_SIDE_RIGHT || side == ET_SIDE_LEFT;
+    requires room:   nwork >= et_curve_room(c, d) && \valid(work + (0 .. nwork - 1));
+    requires apart:  \separated(D + (0 .. d), work + (0 .. nwork - 1));
+    assigns  D[0 .. d], work[0 .. nwork - 1];
+    ensures  above:  c->weights == \null ==> \forall integer k; c->p < k <= d ==> D[k].x == 0.0 && D[k].y == 0.0 && D[k].z == 0.0;
+*/
 void et_curve_ders_side(et_vec3 *D, size_t d, const et_curve *c, double x, et_side side, double *work, size_t nwork);
 
-/* The same curve with the knot x, inside the domain, `times` times more (A5.1); its multiplicity becomes p + 1 at most.  ET_EINVAL, ET_ENOMEM. */
+/* ---- the same curve in another form.  What the output held before is not freed; it must not be the input.
+ *
+ * Rational curves are edited in homogeneous coordinates (w x, w y, w z, w), all weights over one power of two, so that no product overflows.  Control
+ * points (and weights) that an edit leaves alone keep their bits.  ET_EINVAL is returned for a curve that is not valid, too, and where no valid curve
+ * would come out: knots nearer than 2^-1022 to each other, an overflow, a weight that underflows to 0. ---- */
+
+/* With the knot x, inside the domain (its ends included, if they are not clamped), `times` times more, behind those equal to it (A5.1, one knot after the
+ * other).  The multiplicity becomes p + 1 at most: there the curve falls apart into two.  Knots need not be clamped.
+ * ET_EINVAL (x outside the domain or not a number, too great a multiplicity), ET_ENOMEM.
+ *
+ * Each knot makes Q_i = a P_i + (1-a) P_{i-1}, a = (x - u_i)/(u_{i+p} - u_i), where a and 1-a are quotients of differences, both from 0 to 1: so weights
+ * remain positive.  A coordinate of a polynomial curve's control point, and a weight, is off by at most ((1-u)^-m - 1) sum A |c|, A the convex
+ * combination that makes it of the old ones, m = 5 min(times, p); a coordinate of a rational one: numerator m + 1, denominator m, and one rounding.
+ * All barring underflow. */
+/*@ requires refined: \valid(refined);
+    requires c:       \valid_read(c) && et_curve_readable(c);
+    requires apart:   \separated(refined, c);
+    assigns  *refined;
+    ensures  ends:    \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
+    ensures  inside:  \result == ET_OK ==> c->u[c->p] <= x <= c->u[c->n];
+    ensures  often:   \result == ET_OK ==> times <= c->p + 1;
+    ensures  sizes:   \result == ET_OK ==> refined->p == c->p && refined->n == c->n + times;
+    ensures  kind:    \result == ET_OK ==> (refined->weights == \null <==> c->weights == \null);
+    ensures  kept:    \result != ET_OK ==> *refined == \old(*refined);
+*/
 et_status et_curve_insert(et_curve *refined, const et_curve *c, double x, size_t times);
 
-/* The knot x of the open domain removed as often as possible, at most `times`, without moving the curve by more than `tolerance` (A5.8, Eq. 5.30).
- * *removed: how often.  ET_EINVAL (x is no inner knot), ET_ENOMEM. */
+/* Without the knot x, of the open domain, as often as possible, at most `times`, with no point moved by more than `tolerance`, finite and not negative
+ * (A5.8, one knot after the other).  *removed: how often; 0 gives a copy.  Knots need not be clamped.  ET_EINVAL (x is no knot of the open domain, the
+ * tolerance), ET_ENOMEM.
+ *
+ * Half of the equations P_i = a Q_i + (1-a) Q_{i-1} are solved from the left, half from the right.  The distance d by which the last one is not
+ * satisfied, or, with none left, by which the two ways to the middle point differ, bounds how far a polynomial curve moves; the distances of all removals
+ * are added.  A rational curve moves by at most the tolerance if the homogeneous distances add up to at most
+ *     tolerance min w / (1 + max |P| + tolerance)      (Eq. 5.30, with the tolerance added to the divisor, so that it is true of large ones).
+ * A removal that would give a weight that is not positive is not made.
+ *
+ * Each new point satisfies its equation within ((1-u)^-5 - 1) (a |Q_i| + (1-a) |Q_{i-1}|), by which the curve moves beside. */
+/*@ requires reduced: \valid(reduced) && \valid(removed);
+    requires c:       \valid_read(c) && et_curve_readable(c);
+    requires apart:   \separated(reduced, removed, c);
+    assigns  *reduced, *removed;
+    ensures  ends:    \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
+    ensures  inner:   \result == ET_OK ==> c->u[c->p] < x < c->u[c->n] && \is_finite(tolerance) && tolerance >= 0.0;
+    ensures  often:   \result == ET_OK ==> *removed <= times;
+    ensures  sizes:   \result == ET_OK ==> reduced->p == c->p && reduced->n == c->n - *removed;
+    ensures  kind:    \result == ET_OK ==> (reduced->weights == \null <==> c->weights == \null);
+    ensures  kept:    \result != ET_OK ==> *reduced == \old(*reduced) && *removed == \old(*removed);
+*/
 et_status et_curve_remove(et_curve *reduced, size_t *removed, const et_curve *c, double x, size_t times, double tolerance);
 
-/* The same curve with a degree higher by `times` (A5.9 or any other way): each different knot of the domain gets that multiplicity more.  The ends must
- * be clamped.  ET_EINVAL, ET_ENOMEM. */
+/* Of a degree higher by `times`: each different knot gets that multiplicity more.  The ends must be clamped.  Any degree, 0 included, and any inner
+ * multiplicity.  ET_EINVAL (ends not clamped), ET_ENOMEM.
+ *
+ * One degree after the other.  A control point of degree p + 1 is the mean of p + 1 control points of degree p over the new knots without one of its p + 1
+ * (Prautzsch 1984); those are combinations of the old ones by discrete B-splines (the Oslo algorithm; Cohen, Lyche and Riesenfeld 1980).  The shares
+ * of the old control points are summed up first; none is negative, so weights remain positive, and there are no binomial coefficients.
+ * A coordinate of a polynomial curve's control point, and a weight, is off by at most ((1-u)^-m - 1) sum A |c|, A the convex combination that makes it of
+ * the old ones, m = sum of 7(p + k) + 2 over k = 0 .. times - 1; a coordinate of a rational one: numerator m + 1, denominator m, and one rounding.  The
+ * ends, and the points on both sides of an inner knot of multiplicity p + 1, keep their bits.  All barring underflow. */
+/*@ requires elevated: \valid(elevated);
+    requires c:        \valid_read(c) && et_curve_readable(c);
+    requires apart:    \separated(elevated, c);
+    assigns  *elevated;
+    ensures  ends:     \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
+    ensures  clamped:  \result == ET_OK ==> c->u[0] == c->u[c->p] && c->u[c->n] == c->u[c->n + c->p];
+    ensures  degree:   \result == ET_OK ==> elevated->p == c->p + times && elevated->n >= c->n + times;
+    ensures  kind:     \result == ET_OK ==> (elevated->weights == \null <==> c->weights == \null);
+    ensures  kept:     \result != ET_OK ==> *elevated == \old(*elevated);
+*/
 et_status et_curve_elevate(et_curve *elevated, const et_curve *c, size_t times);
 
 #ifdef __cplusplus

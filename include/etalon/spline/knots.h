@@ -54,13 +54,47 @@ size_t et_knots_span(const double *u, size_t nu, size_t p, double x);
  * left end of the domain both are the limit from the right, at its right end both the one from the left. */
 typedef enum { ET_SIDE_RIGHT = 0, ET_SIDE_LEFT } et_side;
 
-/* et_knots_span for ET_SIDE_RIGHT; for ET_SIDE_LEFT the span k with u[k] < x <= u[k+1], at (or before) the left end of the domain the first non-empty one. */
+/* et_knots_span for ET_SIDE_RIGHT; for ET_SIDE_LEFT the span k with u[k] < x <= u[k+1], at (or before) the left end of the domain the first non-empty
+ * one, behind its right end the last.  With it et_basis_ders gives the derivatives from that side.  Comparisons only: no error. */
+/*@ requires count:  nu >= 2 * p + 2;
+    requires knots:  \valid_read(u + (0 .. nu - 1));
+    requires finite: \is_finite(x) && \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
+    requires sorted: \forall integer i, j; 0 <= i <= j < nu ==> u[i] <= u[j];
+    requires domain: u[p] < u[nu - p - 1];
+    requires side:   side == ET_SIDE_RIGHT || side == ET_SIDE_LEFT;
+    assigns  \nothing;
+    ensures  range:  p <= \result <= nu - p - 2;
+    ensures  span:   u[\result] < u[\result + 1];
+    ensures  right:  side == ET_SIDE_RIGHT && u[p] <= x < u[nu - p - 1] ==> u[\result] <= x < u[\result + 1];
+    ensures  left:   side == ET_SIDE_LEFT && u[p] < x <= u[nu - p - 1] ==> u[\result] < x <= u[\result + 1];
+    ensures  first:  x <= u[p] ==> u[\result] == u[p];
+    ensures  last:   x >= u[nu - p - 1] ==> u[\result + 1] == u[nu - p - 1];
+*/
 size_t et_knots_span_side(const double *u, size_t nu, size_t p, double x, et_side side);
 
 /* How many of the knots equal x (0 and -0 are equal). */
+/*@ requires knots:  \valid_read(u + (0 .. nu - 1));
+    requires finite: \is_finite(x) && \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
+    assigns  \nothing;
+    ensures  range:  0 <= \result <= nu;
+    ensures  none:   \result == 0 <==> \forall integer i; 0 <= i < nu ==> u[i] != x;
+*/
 size_t et_knots_multiplicity(const double *u, size_t nu, double x);
 
-/* The Greville points g[i] = (u[i+1] + ... + u[i+p]) / p, i < n = nu - p - 1; of degree 0 the spans' midpoints. */
+/* The Greville points g[i] = (u[i+1] + ... + u[i+p]) / p, i < n = nu - p - 1 (Greville 1964); of degree 0 the spans' midpoints.
+ *
+ * Computed as a + sum (u[i+j] - a)/p, a = u[i+1], which does not overflow and is exact where all are equal, and never beyond u[i+p].  The error is at most
+ * ((1-u)^-(p+1) - 1) (g - a) + 2^-53 |g|, u = 2^-53, and 2^-1075 for each quotient that underflows. */
+/*@ requires count:  nu >= 2 * p + 2 && n == nu - p - 1;
+    requires g:      \valid(g + (0 .. n - 1));
+    requires knots:  \valid_read(u + (0 .. nu - 1));
+    requires finite: \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
+    requires sorted: \forall integer i, j; 0 <= i <= j < nu ==> u[i] <= u[j];
+    requires spread: \is_finite((double)(u[nu - 1] - u[0]));
+    requires apart:  \separated(g + (0 .. n - 1), u + (0 .. nu - 1));
+    assigns  g[0 .. n - 1];
+    ensures  within: \forall integer i; 0 <= i < n ==> u[i + (p > 0 ? 1 : 0)] <= g[i] <= u[i + (p > 0 ? p : 1)];
+*/
 void et_knots_greville(double *g, size_t n, const double *u, size_t nu, size_t p);
 
 #ifdef __cplusplus

@@ -148,22 +148,102 @@ void et_surface_points(et_vec3 *S, const et_surface *s, const double *u, const d
 */
 et_status et_surface_grid(et_vec3 *S, const et_surface *s, const double *a, size_t na, const double *b, size_t nb);
 
-/* Doubles of workspace for et_surface_partials up to total order d; SIZE_MAX if that does not fit. */
+/* Doubles of workspace for et_surface_partials up to total order d, with a = min(d,p) + 1 and b = min(d,q) + 1:
+ * a (p+1) + b (q+1) + 4 a (q+1) + max((p+1)(p+5), (q+1)(q+5)) + (d+1)(d+2); SIZE_MAX if that does not fit, so that no allocation succeeds. */
+/*@ requires s:    \valid_read(s);
+    assigns  \nothing;
+    ensures  room: \result >= 2;
+*/
 size_t et_surface_partials_work(const et_surface *s, size_t d);
 
-/* All partial derivatives of total order up to d, with the sides chosen at knots, in the order of et_exact_surface_ders:
- * the one a times in u and b times in v stands at (a+b)(a+b+1)/2 + b. */
+/*@ logic integer et_surface_partials_room(et_surface *s, integer d) =
+        (\min(d, s->p) + 1)*(s->p + 1) + (\min(d, s->q) + 1)*(s->q + 1) + 4*(\min(d, s->p) + 1)*(s->q + 1) +
+        \max((s->p + 1)*(s->p + 5), (s->q + 1)*(s->q + 5)) + (d + 1)*(d + 2);
+*/
+
+/* All partial derivatives of total order up to d, with the sides chosen at knots (of the value, too), in the order of et_exact_surface_ders: the one a times
+ * in u and b times in v stands at (a+b)(a+b+1)/2 + b (A3.6, A4.4, Eq. 4.20).  From the right in both directions D[0] has the bits of et_surface_point,
+ * and D[1] .. D[5] those of et_surface_ders but for the signs of zeros; derivatives of a polynomial surface beyond a degree are +0.
+ *
+ * Error of a coordinate of a polynomial surface's derivative: at most ((1-u)^-(7(p+q)+6) - 1) M_ab, M_ab the sum of the magnitudes of all terms.  A rational
+ * surface's derivatives satisfy Leibniz' rule for w S = A within ((1-u)^-m - 1) times the magnitudes of the rule's terms, as a curve's do
+ * (et_curve_ders), m = 7(p+q) + (p+1)(q+1) + 8, for orders up to 56.  All barring over- and underflow. */
+/*@ requires s:      \valid_read(s) && et_surface_ok(s);
+    requires D:      \valid(D + (0 .. (d + 1) * (d + 2) / 2 - 1));
+    requires finite: \is_finite(u) && \is_finite(v);
+    requires sides:  (side_u == ET_SIDE_RIGHT || side_u == ET_SIDE_LEFT) && (side_v == ET_SIDE_RIGHT || side_v == ET_SIDE_LEFT);
+    requires room:   nwork >= et_surface_partials_room(s, d) && \valid(work + (0 .. nwork - 1));
+    requires apart:  \separated(D + (0 .. (d + 1) * (d + 2) / 2 - 1), work + (0 .. nwork - 1));
+    assigns  D[0 .. (d + 1) * (d + 2) / 2 - 1], work[0 .. nwork - 1];
+    ensures  above:  s->weights == \null ==> \forall integer a, b; 0 <= a && 0 <= b && a + b <= d && (a > s->p || b > s->q) ==>
+                         D[(a + b) * (a + b + 1) / 2 + b].x == 0.0 && D[(a + b) * (a + b + 1) / 2 + b].y == 0.0 &&
+                         D[(a + b) * (a + b + 1) / 2 + b].z == 0.0;
+*/
 void et_surface_partials(et_vec3 *D, size_t d, const et_surface *s, double u, double v, et_side side_u, et_side side_v, double *work, size_t nwork);
 
-/* The unit normal S_u x S_v / |S_u x S_v|.  ET_ERANK (*n as it was) where the cross product is 0. */
+/* The unit normal S_u x S_v / |S_u x S_v|, from the right at knots; workspace as for et_surface_point.  ET_ERANK (*n as it was) where the cross product
+ * is 0, or cannot be told from 0: where its length does not exceed the bound of its error.
+ *
+ * With h = w (P - O), O the control point of the greatest share: where all control points that matter coincide, as at a pole, the derivative is 0 exactly.
+ * S_u and S_v have m = 7(p+q) + 2 roundings relative to the magnitudes of their terms (those of the derivatives' of the basis added, not subtracted); as
+ * w A_u - w_u A, if there are weights, 2m + 2; the cross product c 28(p+q) + 14, relative to the products of the magnitudes, as a vector: B.  The normal
+ * is off by at most 2 |B| / |c| + 5u. */
+/*@ requires s:      \valid_read(s) && et_surface_ok(s);
+    requires n:      \valid(n);
+    requires finite: \is_finite(u) && \is_finite(v);
+    requires room:   nwork >= et_surface_room(s) && \valid(work + (0 .. nwork - 1));
+    requires apart:  \separated(n, s, work + (0 .. nwork - 1));
+    assigns  *n, work[0 .. nwork - 1];
+    ensures  ends:   \result == ET_OK || \result == ET_ERANK;
+    ensures  range:  \result == ET_OK ==> \is_finite(n->x) && \is_finite(n->y) && \is_finite(n->z);
+    ensures  kept:   \result != ET_OK ==> *n == \old(*n);
+*/
 et_status et_surface_normal(et_vec3 *n, const et_surface *s, double u, double v, double *work, size_t nwork);
 
 typedef enum { ET_ALONG_U = 0, ET_ALONG_V } et_direction;
 
-/* As et_curve_insert, et_curve_remove and et_curve_elevate, of all curves of the surface along one direction; a knot is removed from all of them or
- * from none. */
+/*@ logic integer et_surface_degree(et_surface *s, et_direction along) = along == ET_ALONG_U ? s->p : s->q;
+    logic integer et_surface_count(et_surface *s, et_direction along) = along == ET_ALONG_U ? s->nu : s->nv;
+    predicate et_surface_across(et_surface *a, et_surface *b, et_direction along) = (a->weights == \null <==> b->weights == \null) &&
+        (along == ET_ALONG_U ? a->q == b->q && a->nv == b->nv : a->p == b->p && a->nu == b->nu);
+*/
+
+/* et_curve_insert of each of the surface's curves along one direction, with the same bits; errors and bounds as there, and ET_EINVAL for a direction that is none.
+ * Of a rational surface all weights have one power of two. */
+/*@ requires refined: \valid(refined);
+    requires s:       \valid_read(s) && et_surface_readable(s);
+    requires apart:   \separated(refined, s);
+    assigns  *refined;
+    ensures  ends:    \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
+    ensures  sizes:   \result == ET_OK ==> et_surface_degree(refined, along) == et_surface_degree(s, along) &&
+                          et_surface_count(refined, along) == et_surface_count(s, along) + times && et_surface_across(refined, s, along);
+    ensures  kept:    \result != ET_OK ==> *refined == \old(*refined);
+*/
 et_status et_surface_insert(et_surface *refined, const et_surface *s, et_direction along, double x, size_t times);
+
+/* As et_curve_remove; a knot is removed from all curves along the direction or from none, and the greatest of their distances decides. */
+/*@ requires reduced: \valid(reduced) && \valid(removed);
+    requires s:       \valid_read(s) && et_surface_readable(s);
+    requires apart:   \separated(reduced, removed, s);
+    assigns  *reduced, *removed;
+    ensures  ends:    \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
+    ensures  often:   \result == ET_OK ==> *removed <= times;
+    ensures  sizes:   \result == ET_OK ==> et_surface_degree(reduced, along) == et_surface_degree(s, along) &&
+                          et_surface_count(reduced, along) == et_surface_count(s, along) - *removed && et_surface_across(reduced, s, along);
+    ensures  kept:    \result != ET_OK ==> *reduced == \old(*reduced) && *removed == \old(*removed);
+*/
 et_status et_surface_remove(et_surface *reduced, size_t *removed, const et_surface *s, et_direction along, double x, size_t times, double tolerance);
+
+/* As et_curve_elevate, along one direction, whose ends must be clamped. */
+/*@ requires elevated: \valid(elevated);
+    requires s:        \valid_read(s) && et_surface_readable(s);
+    requires apart:    \separated(elevated, s);
+    assigns  *elevated;
+    ensures  ends:     \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
+    ensures  degree:   \result == ET_OK ==> et_surface_degree(elevated, along) == et_surface_degree(s, along) + times &&
+                           et_surface_count(elevated, along) >= et_surface_count(s, along) + times && et_surface_across(elevated, s, along);
+    ensures  kept:     \result != ET_OK ==> *elevated == \old(*elevated);
+*/
 et_status et_surface_elevate(et_surface *elevated, const et_surface *s, et_direction along, size_t times);
 
 #ifdef __cplusplus
