@@ -87,6 +87,20 @@ int exact_mat_round(double *x, const exact_mat *A, size_t i, size_t j)
     return 1;
 }
 
+int exact_mat_round_sqrt(double *x, const exact_mat *A, size_t i, size_t j)
+{
+    if (A->bits > 0) {
+        arb_t root;
+        arb_init(root);
+        arb_sqrtpos(root, ball_at(A, i, j), A->bits);
+        int one = exact_round_ball(x, root);
+        arb_clear(root);
+        return one;
+    }
+    *x = exact_round_sqrt(rational_at(A, i, j));
+    return 1;
+}
+
 /* ---- products ---- */
 
 void exact_mat_mul(exact_mat *C, const exact_mat *A, const exact_mat *B)
@@ -134,12 +148,33 @@ void exact_mat_sandwich(exact_mat *C, const exact_mat *A, const exact_mat *X, co
     exact_mat_clear(&Bt);
 }
 
-static void add_product(exact_mat *C, size_t r, size_t c, const exact_mat *A, size_t i, size_t j, const exact_mat *B, size_t k, size_t l)
+void exact_mat_add_product(exact_mat *C, size_t r, size_t c, const exact_mat *A, size_t i, size_t j, const exact_mat *B, size_t k, size_t l)
 {
     if (C->bits > 0)
         arb_addmul(ball_at(C, r, c), ball_at(A, i, j), ball_at(B, k, l), C->bits);
     else
         fmpq_addmul(rational_at(C, r, c), rational_at(A, i, j), rational_at(B, k, l));
+}
+
+void exact_mat_sub_product(exact_mat *C, size_t r, size_t c, const exact_mat *A, size_t i, size_t j, const exact_mat *B, size_t k, size_t l)
+{
+    if (C->bits > 0)
+        arb_submul(ball_at(C, r, c), ball_at(A, i, j), ball_at(B, k, l), C->bits);
+    else
+        fmpq_submul(rational_at(C, r, c), rational_at(A, i, j), rational_at(B, k, l));
+}
+
+void exact_mat_divide(exact_mat *C, size_t r, size_t c, const exact_mat *A, size_t i, size_t j)
+{
+    if (C->bits > 0)
+        arb_div(ball_at(C, r, c), ball_at(C, r, c), ball_at(A, i, j), C->bits);
+    else
+        fmpq_div(rational_at(C, r, c), rational_at(C, r, c), rational_at(A, i, j));
+}
+
+int exact_mat_positive(const exact_mat *A, size_t i, size_t j)
+{
+    return A->bits > 0 ? arb_is_positive(ball_at(A, i, j)) : fmpq_sgn(rational_at(A, i, j)) > 0;
 }
 
 void exact_mat_add_kronecker(exact_mat *C, const exact_mat *A, const exact_mat *B)
@@ -148,7 +183,7 @@ void exact_mat_add_kronecker(exact_mat *C, const exact_mat *A, const exact_mat *
         for (size_t j = 0; j < A->columns; j++)
             for (size_t k = 0; k < B->rows; k++)
                 for (size_t l = 0; l < B->columns; l++)
-                    add_product(C, i * B->rows + k, j * B->columns + l, A, i, j, B, k, l);
+                    exact_mat_add_product(C, i * B->rows + k, j * B->columns + l, A, i, j, B, k, l);
 }
 
 /* ---- solutions ---- */

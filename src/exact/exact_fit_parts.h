@@ -43,8 +43,30 @@ void exact_mat_sandwich(exact_mat *C, const exact_mat *A, const exact_mat *X, co
 void exact_mat_add_kronecker(exact_mat *C, const exact_mat *A, const exact_mat *B);
 /* 1 and X of A X = B; 0 if A is singular, or its balls do not exclude that. */
 int exact_mat_solve(exact_mat *X, const exact_mat *A, const exact_mat *B);
+/* C[r][c] = C[r][c] + A[i][j] B[k][l], and less that. */
+void exact_mat_add_product(exact_mat *C, size_t r, size_t c, const exact_mat *A, size_t i, size_t j, const exact_mat *B, size_t k, size_t l);
+void exact_mat_sub_product(exact_mat *C, size_t r, size_t c, const exact_mat *A, size_t i, size_t j, const exact_mat *B, size_t k, size_t l);
+/* C[r][c] = C[r][c] / A[i][j], which is not 0. */
+void exact_mat_divide(exact_mat *C, size_t r, size_t c, const exact_mat *A, size_t i, size_t j);
+/* Whether A[i][j] is positive; balls: every number of it. */
+int exact_mat_positive(const exact_mat *A, size_t i, size_t j);
 /* 1 and *x if A[i][j] rounds to the one double *x, which rationals always do; else 0. */
 int exact_mat_round(double *x, const exact_mat *A, size_t i, size_t j);
+/* The same of the root of A[i][j] >= 0, of which a ball may tell less. */
+int exact_mat_round_sqrt(double *x, const exact_mat *A, size_t i, size_t j);
+
+/* ---- banded matrices (exact_band.c) ---- */
+
+/* The lower half of a symmetric matrix of half-width w becomes L and, on the diagonal, D of L D L'.  0 if it is not positive definite, or its balls do
+ * not show it; then its content is lost. */
+int exact_band_factor(exact_mat *A, size_t w);
+/* B = (L D L')^-1 B. */
+void exact_band_solve(exact_mat *B, const exact_mat *L, size_t w);
+/* The sum of the diagonal of (L D L')^-1 is added to t[i][j]. */
+void exact_band_trace(exact_mat *t, size_t i, size_t j, const exact_mat *L, size_t w);
+
+/* Whether the columns of A depend on each other, proved. */
+int exact_dependent(const fmpq_mat_t A);
 
 /* The rank of A, proved: full by its reduction modulo EXACT_PRIME, else over the rationals. */
 size_t exact_rank(const fmpq_mat_t A);
