@@ -1,0 +1,228 @@
+/* campaign, bad input: a valid request made invalid in one place. */
+#include "conform/campaign_parts.h"
+#include <math.h>
+#include <stdint.h>
+
+static et_request_value *value(campaign_maker *m, int k)
+{
+    return &m->request->arg[k];
+}
+
+/* The argument gets n numbers (or points): those it has, without the last or with the first again. */
+static int resize(campaign_maker *m, int k, size_t n, size_t width)
+{
+    const et_request_value *v = value(m, k);
+    if (v->count == 0) {
+        return 0;
+    }
+    double *x = campaign_array(m, n * width);
+    for (size_t i = 0; i < n * width; i++) {
+        x[i] = v->x[i % (v->count * width)];
+    }
+    campaign_list(m, k, x, n);
+    return 1;
+}
+
+static double broken(campaign_maker *m)
+{
+    const size_t kind = campaign_pick(m, 3);
+    return kind == 0 ? NAN : kind == 1 ? HUGE_VAL : -HUGE_VAL;
+}
+
+/* One of the numbers becomes NaN or infinite. */
+static int spoil_list(campaign_maker *m, int k, size_t width)
+{
+    if (k < 0 || value(m, k)->count == 0) {
+        return 0;
+    }
+    value(m, k)->x[campaign_pick(m, value(m, k)->count * width)] = broken(m);
+    return 1;
+}
+
+static int one_number(campaign_maker *m, int k)
+{
+    if (k < 0) {
+        return 0;
+    }
+    value(m, k)->x[0] = broken(m);
+    return 1;
+}
+
+/* Two different knots change places. */
+static int decrease(campaign_maker *m, int k)
+{
+    et_request_value *u = value(m, k);
+    const size_t i = campaign_pick(m, u->count);
+    for (size_t n = 1; n < u->count; n++) {
+        const size_t j = (i + n) % u->count, a = i < j ? i : j, b = i < j ? j : i;
+        if (u->x[a] < u->x[b]) {
+            const double x = u->x[a];
+            u->x[a] = u->x[b];
+            u->x[b] = x;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* No domain. */
+static int empty(campaign_maker *m, const campaign_axis *a)
+{
+    et_request_value *u = value(m, a->knots);
+    for (size_t i = 0; i < u->count && a->degree >= 0; i++) {
+        u->x[i] = u->x[0];
+    }
+    return a->degree >= 0;
+}
+
+static int fewer_knots(campaign_maker *m, const campaign_axis *a)
+{
+    const size_t p = a->degree >= 0 ? value(m, a->degree)->count : 0;
+    return a->degree >= 0 && resize(m, a->knots, campaign_pick(m, 2) ? 2 * p + 1 : p, 1);
+}
+
+/* A point more or less than the knots say: of the net, or of the data. */
+static int other_number(campaign_maker *m, int k)
+{
+    return k >= 0 && resize(m, k, value(m, k)->count + (campaign_pick(m, 2) || value(m, k)->count == 1 ? 1 : (size_t)-1), 3);
+}
+
+static int bad_weight(campaign_maker *m, int net)
+{
+    if (net < 0 || !m->hello->rational) {
+        return 0;
+    }
+    const size_t n = value(m, net)->count;
+    double *w = campaign_array(m, n + 1);
+    for (size_t i = 0; i <= n; i++) {
+        w[i] = 1.0;
+    }
+    const size_t kind = campaign_pick(m, 4);
+    w[campaign_pick(m, n)] = kind == 0 ? -1.0 : kind == 1 ? NAN : kind == 2 ? HUGE_VAL : 1.0;
+    campaign_list(m, net + 1, w, kind < 3 ? n : campaign_pick(m, 2) ? n + 1 : n - 1);
+    return kind < 3 || value(m, net + 1)->count > 0;
+}
+
+/* An edit that cannot be made. */
+static int bad_edit(campaign_maker *m)
+{
+    const campaign_layout *l = m->layout;
+    const size_t axis = l->along >= 0 ? value(m, l->along)->count : 0;
+    const int at = campaign_at(m->request, axis);
+    const campaign_axis *a = &l->axis[axis];
+    if (l->times < 0 || at < 0) {
+        return 0;
+    }
+    const size_t p = value(m, a->degree)->count, kind = campaign_pick(m, 4);
+    const et_request_value *u = value(m, a->knots);
+    const double lo = u->x[p], hi = u->x[u->count - 1 - p];
+    const campaign_basis b = {p, u->count, u->count - p - 1, u->x};
+    double *x = &value(m, at)->x[0];
+    if (kind == 0) {
+        *x = campaign_pick(m, 2) ? hi + (hi - lo) : lo - (hi - lo);
+    } else if (l->tolerance >= 0) {
+        *x = kind == 1 ? lo : kind == 2 ? hi : campaign_inside(m, &b);
+        for (size_t k = 0; kind == 3 && k < 100 && campaign_multiplicity(&b, *x) > 0; k++) {
+            *x = campaign_real(m, lo, hi);
+        }
+    } else if (kind == 1) {
+        *x = campaign_pick(m, 2) ? hi : lo;                          /* clamped: full already */
+    } else {
+        campaign_count(m, l->times, p + 2 - campaign_multiplicity(&b, *x) + campaign_pick(m, 2));
+    }
+    if (value(m, l->times)->count == 0) {
+        campaign_count(m, l->times, 1);
+    }
+    return 1;
+}
+
+/* Sites: outside, broken, or of another number. */
+static int bad_sites(campaign_maker *m, const campaign_axis *a, size_t kind)
+{
+    if (a->sites < 0 || a->knots < 0) {
+        return 0;
+    }
+    et_request_value *t = value(m, a->sites);
+    const et_request_value *u = value(m, a->knots);
+    const double lo = u->x[0], hi = u->x[u->count - 1];
+    if (kind == 0) {
+        t->x[t->count - 1] = hi + (hi - lo);
+        return m->op != ET_OP_SURFACE_ERROR;
+    }
+    if (kind == 1) {
+        t->x[0] = lo - (hi - lo);
+        return m->op != ET_OP_SURFACE_ERROR;
+    }
+    return kind == 2 ? spoil_list(m, a->sites, 1) : resize(m, a->sites, t->count + 1, 1);
+}
+
+static int bad_counts(campaign_maker *m, size_t kind)
+{
+    const size_t nx = value(m, 0)->count, ny = value(m, 1)->count;
+    switch (m->op) {
+    case ET_OP_PARAMETERS: return resize(m, 1, kind % 2, 3);
+    case ET_OP_PARAMETERS_GRID:
+        campaign_count(m, 1 + (int)(kind % 2), kind % 4 < 2 ? 1 : value(m, 1 + (int)(kind % 2))->count + 1);
+        return 1;
+    case ET_OP_KNOTS: {
+        enum { PIEGL, AVERAGING, FAITHFUL, UNIFORM };
+        const size_t p = value(m, 1)->count, n = value(m, 2)->count;
+        if (kind % 4 == 0) {
+            campaign_count(m, 2, p);                                              /* n <= p */
+        } else if (kind % 4 == 1 && nx != UNIFORM) {
+            campaign_count(m, 2, value(m, 3)->count + 1 > p ? value(m, 3)->count + 1 : n);       /* more control points than parameters */
+        } else if (kind % 4 == 2) {
+            campaign_count(m, 1, 0);
+        } else {
+            return resize(m, 3, 1, 1);
+        }
+        return 1;
+    }
+    case ET_OP_FIT_CURVE: campaign_count(m, 0, 0); return 1;
+    case ET_OP_FIT_GRID: campaign_count(m, kind % 2 ? 1 : 2, 0); return 1;
+    case ET_OP_FIT_SCATTERED: campaign_count(m, kind % 2 ? 0 : 1, 0); return 1;
+    case ET_OP_APPROXIMATE:
+        campaign_count(m, 2 + (int)(kind % 2), kind % 4 < 2 ? value(m, (int)(kind % 2))->count : 0);
+        return 1;
+    case ET_OP_NET_COUNTS: campaign_count(m, (int)(kind % 2), kind / 2 % 2); return 1;
+    case ET_OP_NET_CLASS:
+        campaign_count(m, (int)(kind % 5), kind % 5 < 2 ? kind / 5 % 2 : kind % 5 == 2 ? 2 : kind % 5 == 3 ? nx : ny);
+        return 1;
+    case ET_OP_NET_NODE: campaign_count(m, 2, kind % 3 == 0 ? 0 : 2 * (nx * ny - nx - ny + 2) + kind % 3); return 1;
+    default: return 0;
+    }
+}
+
+static int spoil(campaign_maker *m, size_t kind)
+{
+    const campaign_layout *l = m->layout;
+    const campaign_axis *a = &l->axis[l->axes > 1 ? campaign_pick(m, l->axes) : 0];
+    const int knots = l->axes > 0 ? a->knots : -1, net = l->net[l->net[1] >= 0 ? campaign_pick(m, 2) : 0];
+    const int at = l->axes > 0 && l->along < 0 ? a->at : l->at;
+    switch (kind) {
+    case 0: return knots >= 0 && decrease(m, knots);
+    case 1: return spoil_list(m, knots, 1);
+    case 2: return one_number(m, at);
+    case 3: return spoil_list(m, net, 3);
+    case 4: return other_number(m, net);
+    case 5: return bad_edit(m);
+    case 6: return knots >= 0 && fewer_knots(m, a);
+    case 7: return bad_weight(m, net);
+    case 8: return spoil_list(m, l->data, 3);
+    case 9: return bad_counts(m, campaign_pick(m, 20));
+    case 10: return l->axes > 0 && bad_sites(m, a, campaign_pick(m, 4));
+    case 11: return knots >= 0 && empty(m, a);
+    case 12: return other_number(m, l->data);
+    case 13: return bad_edit(m);
+    default: return bad_counts(m, campaign_pick(m, 20));
+    }
+}
+
+void campaign_spoil(campaign_maker *m)
+{
+    enum { KINDS = 15 };
+    int done = 0;
+    for (size_t k = 0; k < 4 * KINDS && !done && m->status == ET_OK; k++) {
+        done = spoil(m, (size_t)((m->number + k) % KINDS));
+    }
+}
