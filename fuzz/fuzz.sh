@@ -47,14 +47,14 @@ with_fuzz() {
     edges=$(grep -oE 'cov: [0-9]+' "$log" | tail -n 1)
     new=$(($(count "$corpus") - before))
     found=$(sed -nE 's/.*Test unit written to (.*)/\1/p' "$log" | tail -n 1)
-    [ $code -eq 0 ] || found=${found:-$log}
+    [ $code -eq 0 ] || [ -f "$work/stop" ] || found=${found:-$log}
 }
 
 with_afl() {
     rm -rf "$build/out/$1"
     mkdir -p "$build/out"
-    [ -n "$(find "$corpus" -size +0)" ] || printf '\0' > "$corpus/zero"
-    AFL_NO_UI=1 AFL_SKIP_CPUFREQ=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_NO_AFFINITY=1 AFL_FAST_CAL=1 AFL_NO_COLOR=1 \
+    [ -n "$(find "$corpus" -type f -size +0)" ] || printf '\0' > "$corpus/zero"
+    AFL_NO_UI=1 AFL_SKIP_CPUFREQ=1 AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES=1 AFL_NO_AFFINITY=1 AFL_FAST_CAL=1 \
         run "$1" afl-fuzz -i "$corpus" -o "$build/out/$1" -V "$seconds" -t 30000 -m none ${dict:+-x "$dict"} -- "$build/fuzzer"
     code=$?
     log=$build/found/$1.log out=$build/out/$1/default
@@ -62,7 +62,8 @@ with_afl() {
     cases=$(stat execs_done) speed=$(stat execs_per_sec | cut -d . -f 1) edges=$(stat edges_found) new=$(stat corpus_found) found=
     for f in "$out"/crashes/id* "$out"/hangs/id*; do
         [ -f "$f" ] || continue
-        found=$build/found/$1.$(basename "${f%/*}")-$(cksum < "$f" | cut -d ' ' -f 1)
+        case $f in */crashes/*) kind=crash ;; *) kind=timeout ;; esac
+        found=$build/found/$1.$kind-$(cksum < "$f" | cut -d ' ' -f 1)
         cp "$f" "$found"
     done
     for f in "$out"/queue/id*; do

@@ -6,6 +6,7 @@
  * check --golden FILE...                               rows of golden/MODULE.tsv
  * check --truth FILE...                                the same rows against the exact layer, bit for bit
  * check --bite FILE...                                 golden rows altered by an ulp: is it noticed, by the function or the exact layer?
+ * check --labels [NAME | MODULE ...]                   how often the typed generators made each hard case, a line a property
  * check --list                                         the names of the properties
  */
 #include "rows.h"
@@ -44,7 +45,7 @@ typedef struct {
 } job;
 
 static board *shared;                    /* AT_ONCE of them */
-static bool verbose;
+static bool verbose, tabular;
 static unsigned seconds;                 /* a property may take, ET_SECONDS */
 static size_t passed, failed;
 static char program_dir[PATH];
@@ -226,10 +227,58 @@ static void clear_board(board *b)
     b->runs = b->skipped = b->passed = b->failed = b->values = b->missed = 0;
 }
 
-static void tell_labels(const board *b)
+static int by_text(const void *a, const void *b)
 {
+    return strcmp(((const label *)a)->text, ((const label *)b)->text);
+}
+
+static void tell_labels(board *b)
+{
+    qsort(b->g.labels, b->g.nlabels, sizeof b->g.labels[0], by_text);
     for (size_t i = 0; i < b->g.nlabels; i++)
         printf("  %5.1f %% %s\n", 100.0 * (double)b->g.labels[i].cases / (double)b->runs, b->g.labels[i].text);
+}
+
+/* A letter a label of the typed generators, then a line a property: percents, and how many labels of its own it has. */
+static void labels_head(void)
+{
+    char letter = 'a';
+
+    for (size_t i = 0; gen_standard[i]; i++)
+        printf("# %c %s\n", letter++, gen_standard[i]);
+    printf("%-36s %7s %4s", "# percent of cases", "cases", "skip");
+    for (char c = 'a'; c < letter; c++)
+        printf("%4c", c);
+    puts("  own");
+}
+
+static void labels_row(const char *name, const board *b)
+{
+    const double all = b->runs > 0 ? (double)b->runs : 1;
+    size_t own = b->g.nlabels;
+
+    printf("%-36s %7zu %4.0f", name, b->runs, 100.0 * (double)b->skipped / all);
+    for (size_t i = 0; gen_standard[i]; i++) {
+        size_t k = 0;
+        while (k < b->g.nlabels && strcmp(b->g.labels[k].text, gen_standard[i]) != 0)
+            k++;
+        own -= k < b->g.nlabels;
+        if (k < b->g.nlabels)
+            printf("%4.0f", 100.0 * (double)b->g.labels[k].cases / all);
+        else
+            printf("   .");
+    }
+    printf("%5zu\n", own);
+}
+
+static void tell_passed(const char *name, board *b)
+{
+    printf("ok %s %zu cases, %zu skipped", name, b->runs, b->skipped);
+    if (verbose)
+        printf(", %.3f s", b->spent);
+    putchar('\n');
+    if (verbose)
+        tell_labels(b);
 }
 
 static void start_property(job *j)
@@ -252,12 +301,10 @@ static void finish_property(job *j)
         printf("FAIL %s skips %zu of %zu cases\n", j->p->name, b->skipped, b->runs);
     } else {
         passed++;
-        printf("ok %s %zu cases, %zu skipped", j->p->name, b->runs, b->skipped);
-        if (verbose)
-            printf(", %.3f s", b->spent);
-        putchar('\n');
-        if (verbose)
-            tell_labels(b);
+        if (tabular)
+            labels_row(j->p->name, b);
+        else
+            tell_passed(j->p->name, b);
     }
 }
 
@@ -479,7 +526,7 @@ static void replay_shrink(const char *path)
 
 static int usage(void)
 {
-    fputs("check [-v] [-n RUNS] [-s SEED] [NAME | MODULE ...]\ncheck [-v] --replay | --shrink | --golden | --truth | --bite FILE...\ncheck --list\n", stderr);
+    fputs("check [-v] [-n RUNS] [-s SEED] [NAME | MODULE ...]\ncheck [-v] --replay | --shrink | --golden | --truth | --bite FILE...\ncheck --labels [NAME | MODULE ...]\ncheck --list\n", stderr);
     return 2;
 }
 
@@ -515,7 +562,11 @@ int main(int argc, char **argv)
         files(argv + i + 1, truth_table);
     else if (i < argc && strcmp(argv[i], "--bite") == 0)
         files(argv + i + 1, bite_table);
-    else if (i < argc && argv[i][0] == '-')
+    else if (i < argc && strcmp(argv[i], "--labels") == 0) {
+        tabular = true;
+        labels_head();
+        random_all(argv + i + 1, (size_t)(argc - i - 1), seed, (size_t)runs);
+    } else if (i < argc && argv[i][0] == '-')
         return usage();
     else
         random_all(argv + i, (size_t)(argc - i), seed, (size_t)runs);

@@ -245,6 +245,21 @@ double gen_real(gen *g, double lo, double hi)
     return x;
 }
 
+enum {
+    KNOTS_UNIFORM, KNOTS_REPEATED, KNOTS_FULL, KNOTS_ULP, KNOTS_TINY, PARAMETER_LEFT, PARAMETER_RIGHT, PARAMETER_KNOT, PARAMETER_NEAR,
+    POINTS_COINCIDENT, POINTS_CHORD, POINTS_ULP, POINTS_SMALL, POINTS_LARGE
+};
+const char *const gen_standard[] = {
+    "knots: uniform", "knots: repeated", "knots: full multiplicity", "knots: one ulp apart", "knots: a span below 2^-40", "parameter: left end",
+    "parameter: right end", "parameter: a knot inside", "parameter: one ulp from a knot", "points: coincident", "points: on a chord",
+    "points: one ulp apart", "points: scale 2^-100", "points: scale 2^100", NULL };
+
+static void standard(gen *g, int which, bool so)
+{
+    if (so)
+        gen_label(g, gen_standard[which]);
+}
+
 static double inner_knot(gen *g, const double *u, size_t first, size_t i)
 {
     const uint64_t kind = gen_upto(g, 7);
@@ -287,6 +302,24 @@ static bool spread(double *u, size_t first, size_t last, size_t p)
     return true;
 }
 
+static void label_knots(gen *g, const double *u, size_t nu, size_t p, bool uniform)
+{
+    size_t run = 1, most = 1;
+    bool close = false, tiny = false;
+
+    for (size_t i = p + 1; i + p < nu; i++) {
+        run = u[i] == u[i - 1] && i > p + 1 ? run + 1 : 1;
+        most = run > most && i + p + 1 < nu ? run : most;
+        close |= u[i] == nextafter(u[i - 1], 2);
+        tiny |= u[i] > u[i - 1] && u[i] - u[i - 1] < 0x1p-40;
+    }
+    standard(g, KNOTS_UNIFORM, uniform);
+    standard(g, KNOTS_REPEATED, most > 1);
+    standard(g, KNOTS_FULL, most > 1 && most >= p);
+    standard(g, KNOTS_ULP, close);
+    standard(g, KNOTS_TINY, tiny);
+}
+
 void gen_knots(gen *g, double *u, size_t nu, size_t p)
 {
     const size_t from = begin(g), first = p + 1, last = nu - p - 1;
@@ -308,6 +341,21 @@ void gen_knots(gen *g, double *u, size_t nu, size_t p)
         u[nu - 1 - i] = 1;
     }
     end(g, from);
+    label_knots(g, u, nu, p, uniform);
+}
+
+static void label_parameter(gen *g, const double *u, size_t nu, size_t p, double x)
+{
+    bool knot = false, near = false;
+
+    for (size_t i = p; i + p < nu; i++) {
+        knot |= x == u[i];
+        near |= x != u[i] && (nextafter(x, u[i]) == u[i]);
+    }
+    standard(g, PARAMETER_LEFT, x == u[p]);
+    standard(g, PARAMETER_RIGHT, x == u[nu - p - 1]);
+    standard(g, PARAMETER_KNOT, knot && x > u[p] && x < u[nu - p - 1]);
+    standard(g, PARAMETER_NEAR, near);
 }
 
 double gen_parameter(gen *g, const double *u, size_t nu, size_t p)
@@ -326,7 +374,9 @@ double gen_parameter(gen *g, const double *u, size_t nu, size_t p)
     } else if (kind > 5)
         x = gen_real(g, lo, hi);
     end(g, from);
-    return within(x, lo, hi);
+    x = within(x, lo, hi);
+    label_parameter(g, u, nu, p, x);
+    return x;
 }
 
 static double coordinate(gen *g, double scale)
@@ -348,6 +398,7 @@ static void one_point(gen *g, double *xyz, size_t i, double scale)
     }
     const double *a = xyz + 3 * gen_upto(g, i - 1), *b = xyz + 3 * gen_upto(g, i - 1);
     const double t = kind == 8 ? gen_real(g, 0, 1) : 0;
+    standard(g, kind == 7 ? POINTS_COINCIDENT : kind == 8 ? POINTS_CHORD : POINTS_ULP, true);
     for (size_t c = 0; c < 3; c++)       /* 7: coincident; 8: on a chord; 9: a neighbour */
         x[c] = kind == 8 ? a[c] + t * (b[c] - a[c]) : a[c];
     if (kind == 9)
@@ -360,6 +411,8 @@ void gen_points(gen *g, double *xyz, size_t n)
     const size_t from = begin(g);
     const double scale = scales[gen_upto(g, 7)];
 
+    standard(g, POINTS_SMALL, scale == 0x1p-100);
+    standard(g, POINTS_LARGE, scale == 0x1p100);
     for (size_t i = 0; i < n; i++) {
         const size_t at = begin(g);
         one_point(g, xyz, i, scale);

@@ -42,6 +42,7 @@ told 'a real'                          shrinks real     '00 0b'
 told 'knots'                           shrinks knots    '02 02 01 03 03'
 told 'points'                          shrinks points   '01 00 00 00 00 00 09 01 00 00 00'
 told 'a crash'                         shrinks crash    '01 03 0a'
+told 'a text'                          shrinks raw      '28'
 
 hang() { ET_SECONDS=1 fails "$check" -n 100000 planted_hang && says 'timed out' && [ "$(bytes "$here/planted_hang.fail")" = '03 e7' ]; }
 told 'an endless loop is stopped and its case kept' hang
@@ -51,6 +52,10 @@ told 'fewer are not' run "$check" sound_skips
 told 'the generators are sound' run "$check" -n 20000 sound
 labels() { "$check" -v sound > "$here/out" && says '% one ulp apart' && says '% full multiplicity' && says '% right end' && says '% coincident'; }
 told 'hard cases come' labels
+all_labels() { "$check" --labels sound > "$here/out" && says '^# a knots: uniform' && says '^sound_knots  *1000  *0  .*  [1-9]' && says '^sound_real  *1000  *0   \.'; }
+told 'their shares are told, a line a property' all_labels
+rest() { "$check" -v sound_rest > "$here/out" && says '% altered' && says '% a sample as it is' && says '% nothing'; }
+told 'a reader is given samples and what is made of them' rest
 again() { "$check" > "$here/a" 2> /dev/null; "$check" > "$here/b" 2> /dev/null; cmp -s "$here/a" "$here/b"; }
 ET_SECONDS=1
 export ET_SECONDS
@@ -68,6 +73,10 @@ told 'an empty file is the simplest case' run "$check" --replay "$here/planted_l
 told 'any file is a case' run "$check" --replay "$here/sound_knots.noise"
 shrunk() { fails "$check" --shrink "$here/planted_large.ff" && [ "$(bytes "$here/planted_large.fail")" = '00 00 00 02 df dc 1c 35' ]; }
 told 'a file can be shrunk' shrunk
+printf 'f(x) = (1))' > "$here/planted_raw.text"
+printf '(f)(x) = 1' > "$here/planted_raw.good"
+raw() { fails "$check" --replay "$here/planted_raw.text" && says 'depth -1: f(x) = (1))' && run "$check" --replay "$here/planted_raw.good"; }
+told 'to a reader a file is its own text' raw
 
 # golden ROW...: a table of these rows.
 golden() { printf '%b\n' "$@" > "$here/rows.tsv"; }
@@ -98,14 +107,45 @@ bites() { golden "$2"; "$1" "$check" --bite "$here/rows.tsv"; }
 told 'altered values are noticed' bites run 'planted_half\tulp 3\tr\t2\t1'
 told 'a value nobody looks at is found' bites fails 'planted_blind\texact\tr\t2\t2 3'
 
-# The third engine, where clang is installed.
-fuzzed() {
-    rm -rf "$here/found" && mkdir -p "$here/found/corpus" || return 1
-    clang $flags -fsanitize=fuzzer,address,undefined -o "$here/fuzzer" fuzz/fuzz.c $t/planted.c "$here/registry.c" tests/gen.c tests/golden.c -lm || return 1
-    ET_PROP=planted_sum "$here/fuzzer" -max_total_time=60 -artifact_prefix="$here/found/planted_sum." "$here/found/corpus" > "$here/out" 2>&1 && return 1
-    fails "$check" --shrink "$here"/found/planted_sum.crash-* && [ "$(bytes "$here/planted_sum.fail")" = '03 01 f4 03 e8 03 e8' ]
+# The other engines, where they are installed: fuzz/fuzz.sh finds the same fault with either, among a sound property.
+engine() {
+    mkdir -p "$here/$1" && rm -rf "$here/$1/found" "$here/$1/corpus" && cp "$here/registry.c" "$here/$1/" || return 1
+    $2 $flags -fsanitize=$3address,undefined -c -o "$here/$1/planted.o" $t/planted.c || return 1
+    $2 $flags -fsanitize=fuzzer,address,undefined -o "$here/$1/fuzzer" fuzz/fuzz.c "$here/$1/planted.o" "$here/registry.c" tests/gen.c tests/golden.c -lm
 }
-if command -v clang > /dev/null; then told 'the fuzzer finds, check shrinks, the same file' fuzzed; fi
+fuzzed() {
+    engine "$1" "$2" "$3" || return 1
+    rm -f "$here/planted_sum.fail"
+    sh fuzz/fuzz.sh "$here" "$1" "$4" planted_sum sound_real > "$here/out" 2>&1 && return 1
+    says '^FAIL planted_sum [1-9][0-9]* cases, .* edges' && says '^ok sound_real [1-9][0-9]* cases, .* edges, ' && says ', 1 findings' && says '^1 passed, 1 failed' || return 1
+    fails "$check" --shrink "$(ls "$here/$1"/found/planted_sum.crash-* | head -n 1)" && [ "$(bytes "$here/planted_sum.fail")" = '03 01 f4 03 e8 03 e8' ]
+}
+nobody() { sh fuzz/fuzz.sh "$here" fuzz 1 nobody > "$here/out"; [ $? -eq 2 ] && says 'nobody: no property'; }
+# Stopped early: what there is so far, and nothing left running.
+stopped() {
+    begun=$(date +%s)
+    sh fuzz/fuzz.sh "$here" fuzz 60 sound > "$here/out" &
+    sleep 2
+    kill -TERM $! && wait $!
+    says '^stopped after [12] of ' && says ' 0 findings' && says ' passed, 0 failed' && [ $(($(date +%s) - begun)) -lt 30 ]
+}
+# What fuzzing kept: few files, and each reaches something new; the named ones stay.
+kept() {
+    rm -rf "$here/tree" && mkdir -p "$here/tree/fuzz/corpus/sound" && cp fuzz/min.sh "$here/tree/fuzz/" && : > "$here/tree/fuzz/corpus/sound/sound_real.named" || return 1
+    (cd "$here/tree" && sh fuzz/min.sh .. sound_real) > "$here/out" || return 1
+    says '^ok sound_real [1-9][0-9]* files, [1-4] kept' && [ -f "$here/tree/fuzz/corpus/sound/sound_real.named" ] && ls "$here/tree/fuzz/corpus/sound"/sound_real.found-* > /dev/null
+}
+if command -v clang > /dev/null; then
+    told 'libFuzzer finds, check shrinks, the same file' fuzzed fuzz clang fuzzer-no-link, 5
+    told 'an unknown target is a failure' nobody
+    told 'fuzzing can be stopped' stopped
+    told 'a corpus is reduced to what is worth keeping' kept
+fi
+if command -v afl-clang-fast > /dev/null; then
+    AFL_QUIET=1 AFL_DONT_OPTIMIZE=1
+    export AFL_QUIET AFL_DONT_OPTIMIZE
+    told 'AFL++ finds, check shrinks, the same file' fuzzed afl afl-clang-fast '' 5
+fi
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

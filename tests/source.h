@@ -7,7 +7,7 @@ enum {
     GEN_DRAWS = 1 << 14,                 /* draws recorded; later ones are 0 */
     GEN_SPANS = 1 << 12,
     GEN_BYTES = 8 * GEN_DRAWS,
-    GEN_LABELS = 32,
+    GEN_LABELS = 64,
     GEN_LABEL_SIZE = 40
 };
 
@@ -38,5 +38,6 @@ void gen_from_seed(gen *g, uint64_t seed);                        /* a new case;
 void gen_from_bytes(gen *g, const uint8_t *bytes, size_t n);
 void gen_from_values(gen *g, const uint64_t *values, size_t n);
 size_t gen_encode(uint8_t bytes[GEN_BYTES], const draw *draws, size_t n);   /* the canonical bytes of these draws; their number */
+extern const char *const gen_standard[];                          /* the labels that the typed generators give; ends with a null */
 uint64_t gen_mix(uint64_t x);                                     /* splitmix64 */
 #endif

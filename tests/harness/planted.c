@@ -3,6 +3,7 @@
 #include "golden.h"
 #include <math.h>
 #include <signal.h>
+#include <string.h>
 
 enum { MOST = 20 };
 
@@ -131,6 +132,19 @@ verdict prop_planted_points(gen *g)
     return PASS;
 }
 
+/* A reader: brackets that do not match. */
+verdict prop_planted_raw(gen *g)
+{
+    static const sample some[] = { { "f(x) = (1)", 10 }, { "((), ())", 8 }, { "", 0 }, { NULL, 0 } };
+    uint8_t text[100];
+    const size_t n = gen_rest(g, text, sizeof text, some);
+    int depth = 0;
+
+    for (size_t i = 0; i < n; i++)
+        depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+    return gen_check(g, depth == 0, "depth %d: %.*s", depth, (int)n, (const char *)text) ? PASS : FAIL;
+}
+
 verdict prop_planted_crash(gen *g)
 {
     uint64_t x[MOST];
@@ -157,6 +171,23 @@ verdict prop_planted_skips(gen *g)
 }
 
 /* The generators keep what gen.h says of them. */
+verdict prop_sound_rest(gen *g)
+{
+    static const sample some[] = { { "0123456789", 10 }, { "a\0b", 3 }, { NULL, 0 } }, none[] = { { NULL, 0 } };
+    uint8_t text[17] = { 0 };
+    const uint64_t before = gen_upto(g, 3);
+    const size_t most = gen_upto(g, 16);
+    size_t n;
+
+    memset(text, 0xA5, sizeof text);
+    n = gen_rest(g, text, most, before == 3 ? none : some);
+    if (n == 10 && memcmp(text, some[0].bytes, 10) == 0)
+        gen_label(g, "a sample as it is");
+    else
+        gen_label(g, n == 0 ? "nothing" : "altered");
+    return gen_check(g, n <= most && text[most] == 0xA5, "%zu of %zu bytes", n, most) ? PASS : FAIL;
+}
+
 verdict prop_sound_skips(gen *g)
 {
     return gen_upto(g, 99) < 85 ? SKIP : PASS;
