@@ -79,8 +79,8 @@ static void band_unit(band *b, size_t at)
     fmpq_one(b->v);
 }
 
-/* N[0..p]: the blossoms at t[0..p-1] of the basis functions that are not zero in the span: Cox-de Boor with another parameter at each step. */
-static void blossom(fmpq *N, const double *u, size_t p, size_t span, const double *t)
+/* Cox-de Boor with another parameter at each step. */
+void exact_blossom(fmpq *N, const double *u, size_t p, size_t span, const double *t)
 {
     fmpq *k = _fmpq_vec_init((slong)(2 * p + 2)), *x = k + 2 * p, *f = x + 1;
     for (size_t i = 0; i < 2 * p; i++) {
@@ -109,7 +109,7 @@ static void blossom(fmpq *N, const double *u, size_t p, size_t span, const doubl
 static void band_blossom(band *b, const double *u, size_t p, size_t span, const double *t)
 {
     band_init(b, span - p, p + 1);
-    blossom(b->v, u, p, span, t);
+    exact_blossom(b->v, u, p, span, t);
 }
 
 /* The new points out of the old ones; W is null where there are no weights. */
@@ -267,7 +267,7 @@ static void mean_of_blossoms(band *mean, const change *old, size_t span, const d
     memcpy(rest, t + 1, p * sizeof *rest);
     for (size_t i = 0, same = 1; i <= p; i++, same++) {          /* rest: t without t[i] */
         if (i == p || t[i] < t[i + 1]) {
-            blossom(N, old->u, p, span, rest);
+            exact_blossom(N, old->u, p, span, rest);
             fmpq_set_si(f, (slong)same, (ulong)(p + 1));
             for (size_t r = 0; r <= p; r++) {
                 fmpq_mul(N + r, N + r, f);

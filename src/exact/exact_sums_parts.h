@@ -48,6 +48,9 @@ void exact_line_init(exact_line *line, const double *u, size_t n, size_t p, doub
 void exact_line_init_at(exact_line *line, const double *u, size_t n, size_t p, size_t span, double x, size_t d);
 void exact_line_clear(exact_line *line);
 
+/* N[0..p]: the blossoms (polar forms) at t[0..p-1] of the functions that are not zero in the span, as polynomials. */
+void exact_blossom(fmpq *N, const double *u, size_t p, size_t span, const double *t);
+
 /* T[0..4n-1] = sum_r row[r] net[r*stride + first + (0..n-1)], points as they stand in the net. */
 void exact_contract(fmpz *T, size_t n, const exact_row *row, const fmpz *H, size_t stride);
 
