@@ -162,18 +162,13 @@ static const char *restore(et_search *s, et_rng *rng, double **history, size_t m
 et_status cli_checkpoint_read(et_search *search, et_rng *rng, double **history, cli_algorithm algorithm, uint64_t seed, size_t more, const char *path,
                               et_message *message)
 {
-    json_error_t error;
-    FILE *stream = fopen(path, "rb");
     json_t *o;
     const char *bad;
     et_status status = ET_OK;
 
-    if (!stream)
-        return et_status_fail(message, ET_EIO, "cannot read %s", path);
-    o = json_loadf(stream, JSON_REJECT_DUPLICATES, &error);
-    fclose(stream);
-    if (!o)
-        return et_status_fail(message, ET_EFORMAT, "%s:%d: %s", path, error.line, error.text);
+    status = cli_json_load(&o, path, message);
+    if (status != ET_OK)
+        return status;
     if (!json_is_object(o) || !json_string_value(json_object_get(o, "format"))
         || strcmp(json_string_value(json_object_get(o, "format")), "etalon-search") != 0)
         status = et_status_fail(message, ET_EFORMAT, "%s: not a checkpoint of a search", path);

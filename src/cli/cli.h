@@ -73,6 +73,10 @@ void cli_task_end(cli_run *run);          /* wipe the progress line */
 double cli_cpu(void);                     /* processor seconds of this thread */
 void cli_say(const cli_run *run, const char *format, ...);     /* to standard error unless --quiet or --json */
 et_status cli_print(const json_t *object, et_message *message);/* one JSON line on standard output */
+/* A member, an element more; where memory is short *o is freed and becomes null, which the packing or printing that follows tells. */
+void cli_json_add(json_t **o, const char *name, json_t *value);
+void cli_json_append(json_t **array, json_t *value);
+et_status cli_json_load(json_t **document, const char *path, et_message *message);     /* a file, whatever it holds */
 /* ET_EINVAL if two of the n paths are one; null and "-" do not count. */
 et_status cli_distinct(const char *const *paths, size_t n, et_message *message);
 

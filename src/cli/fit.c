@@ -71,11 +71,11 @@ static json_t *to_json(const et_surface_file *s, const fit_truth *truth, double 
     json_t *o = cli_json_fit(s, overshoot);
 
     if (o)
-        json_object_set_new(o, "exact", json_boolean(exact));
+        cli_json_add(&o, "exact", json_boolean(exact));
     if (o && truth->known)
-        json_object_set_new(o, "enclosure", json_pack("{s:f, s:f, s:f, s:I, s:I}", "greatest_radius", greatest_radius(e), "condition", e->condition,
-                                                      "backward_error_eps", e->backward, "undecided", (json_int_t)e->undecided, "solved_exactly",
-                                                      (json_int_t)truth->escalated));
+        cli_json_add(&o, "enclosure", json_pack("{s:f, s:f, s:f, s:I, s:I}", "greatest_radius", greatest_radius(e), "condition", e->condition,
+                                                "backward_error_eps", e->backward, "undecided", (json_int_t)e->undecided, "solved_exactly",
+                                                (json_int_t)truth->escalated));
     return o;
 }
 

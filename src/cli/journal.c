@@ -28,8 +28,8 @@ static json_t *settings(const comparison *t, const et_net_file *net)
     snprintf(weights, sizeof weights, "%016llx", (unsigned long long)hash);
     for (size_t k = 0; jobs && k < t->njobs; k++) {
         const compare_case *c = &t->cases[t->jobs[k].which];
-        json_array_append_new(jobs, json_sprintf("%d %zux%zu %zu %zu %zu", c->faithful, c->control[0], c->control[1], c->method, t->jobs[k].algorithm,
-                                                 t->jobs[k].run));
+        cli_json_append(&jobs, json_sprintf("%d %zux%zu %zu %zu %zu", c->faithful, c->control[0], c->control[1], c->method, t->jobs[k].algorithm,
+                                           t->jobs[k].run));
     }
     return json_pack("{s:s, s:i, s:s, s:s, s:[i,i], s:i, s:i, s:I, s:[f,f,f,f,f,f,f,f,f,f,f,f], s:[I,I,I,i,i,i], s:[I,f,f,f], s:[I,f], s:o}", "format",
                      "etalon-journal", "version", 2, "seed", seed, "weights", weights, "degree", (int)o->fit.degree[0], (int)o->fit.degree[1], "knots",

@@ -18,15 +18,15 @@ json_t *cli_json_summary(const cli_reconstruction *r)
     json_t *fit = cli_json_fit(&r->fit[r->approach], r->overshoot), *refine = json_array(), *object;
 
     if (fit) {
-        json_object_set_new(fit, "surface_error_conventional", json_real(r->fit[ET_FIT_CONVENTIONAL].error.nov));
-        json_object_set_new(fit, "surface_error_conventional_non", json_real(r->fit[ET_FIT_CONVENTIONAL].error.non));
-        json_object_set_new(fit, "surface_error_improved", json_real(r->fit[ET_FIT_IMPROVED].error.nov));
-        json_object_set_new(fit, "surface_error_joint", json_real(r->fit[ET_FIT_JOINT].error.nov));
-        json_object_set_new(fit, "seam_gap_conventional", json_real(r->fit[ET_FIT_CONVENTIONAL].seam_gap));
-        json_object_set_new(fit, "seconds", json_real(r->fit_seconds));
+        cli_json_add(&fit, "surface_error_conventional", json_real(r->fit[ET_FIT_CONVENTIONAL].error.nov));
+        cli_json_add(&fit, "surface_error_conventional_non", json_real(r->fit[ET_FIT_CONVENTIONAL].error.non));
+        cli_json_add(&fit, "surface_error_improved", json_real(r->fit[ET_FIT_IMPROVED].error.nov));
+        cli_json_add(&fit, "surface_error_joint", json_real(r->fit[ET_FIT_JOINT].error.nov));
+        cli_json_add(&fit, "seam_gap_conventional", json_real(r->fit[ET_FIT_CONVENTIONAL].seam_gap));
+        cli_json_add(&fit, "seconds", json_real(r->fit_seconds));
     }
     for (size_t k = 0; k < r->nrefined; k++)
-        json_array_append_new(refine, cli_json_refined(&r->refined[k]));
+        cli_json_append(&refine, cli_json_refined(&r->refined[k]));
     object = json_pack("{s:s, s:i, s:{s:s, s:I}, s:o, s:{s:o, s:o}, s:o, s:o, s:o, s:{s:s, s:f, s:f, s:b}, s:{s:I, s:I, s:f, s:f}}", "format",
                        "etalon-summary", "version", 1, "cloud", "file", r->cloud, "points", (json_int_t)r->points, "seed",
                        json_sprintf("%llu", (unsigned long long)r->seed), "frame", "offset", vec3(r->net.frame.offset), "scale",

@@ -39,13 +39,13 @@ json_t *cli_json_refined(const cli_refined *r)
                      r->surface.seam_gap, "seconds", r->seconds, "stopped", r->stopped);
 
     if (o && r->algorithm == CLI_OPTIMUM) {
-        json_object_set_new(o, "value", json_real(r->optimum.value));
-        json_object_set_new(o, "lower", json_real(r->optimum.lower));
-        json_object_set_new(o, "gap", json_real(r->optimum.gap));
-        json_object_set_new(o, "relative_gap", json_real(r->optimum.value > 0 ? r->optimum.gap / r->optimum.value : 0));
+        cli_json_add(&o, "value", json_real(r->optimum.value));
+        cli_json_add(&o, "lower", json_real(r->optimum.lower));
+        cli_json_add(&o, "gap", json_real(r->optimum.gap));
+        cli_json_add(&o, "relative_gap", json_real(r->optimum.value > 0 ? r->optimum.gap / r->optimum.value : 0));
     }
     if (o)
-        json_object_set_new(o, "surface_error", json_real(r->surface.error.nov));
+        cli_json_add(&o, "surface_error", json_real(r->surface.error.nov));
     return o;
 }
 
@@ -56,7 +56,7 @@ et_status cli_write_certificate(const char *path, const cli_refined *r, et_messa
     et_status status;
 
     for (size_t c = 0; dual && c < et_doublenet_nov(net); c++)
-        json_array_append_new(dual, json_pack("[f, f, f]", r->dual[c].x, r->dual[c].y, r->dual[c].z));
+        cli_json_append(&dual, json_pack("[f, f, f]", r->dual[c].x, r->dual[c].y, r->dual[c].z));
     json_t *o = json_pack("{s:s, s:i, s:[I,I], s:f, s:f, s:f, s:o}", "format", "etalon-certificate", "version", 1, "grid", (json_int_t)net.nx,
                           (json_int_t)net.ny, "value", r->optimum.value, "lower", r->optimum.lower, "gap", r->optimum.gap, "dual", dual);
     status = cli_write_json(path, o, message);

@@ -1,6 +1,7 @@
 /* run: progress, interruption, clocks, and the words a run says. */
 #include "cli/cli.h"
 #include "etalon/io/file.h"
+#include <errno.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -157,6 +158,43 @@ et_status cli_print(const json_t *object, et_message *message)
     const int bad = puts(text) < 0 || fflush(stdout) != 0;
     free(text);
     return bad ? et_status_fail(message, ET_EIO, "cannot write to standard output") : ET_OK;
+}
+
+void cli_json_add(json_t **o, const char *name, json_t *value)
+{
+    if (json_object_set_new(*o, name, value) != 0) {
+        json_decref(*o);
+        *o = NULL;
+    }
+}
+
+void cli_json_append(json_t **array, json_t *value)
+{
+    if (json_array_append_new(*array, value) != 0) {
+        json_decref(*array);
+        *array = NULL;
+    }
+}
+
+et_status cli_json_load(json_t **document, const char *path, et_message *message)
+{
+    json_error_t error;
+    FILE *stream = fopen(path, "rb");
+    void *probe = NULL;
+
+    if (!stream)
+        return et_status_fail(message, errno == ENOMEM ? ET_ENOMEM : ET_EIO, "cannot read %s: %s", path, strerror(errno));
+    *document = json_loadf(stream, JSON_REJECT_DUPLICATES, &error);
+    /* The parser tells lack of memory as an error of syntax at times: its word counts if it is said twice, while there is memory. */
+    if (!*document && (probe = malloc(sizeof error)) != NULL && fseek(stream, 0, SEEK_SET) == 0)
+        *document = json_loadf(stream, JSON_REJECT_DUPLICATES, &error);
+    const int memory = probe != NULL && json_error_code(&error) != json_error_out_of_memory;
+    free(probe);
+    fclose(stream);
+    if (*document)
+        return ET_OK;
+    return memory ? et_status_fail(message, ET_EFORMAT, "%s:%d: %s", path, error.line, error.text)
+                  : et_status_fail(message, ET_ENOMEM, "not enough memory to read %s", path);
 }
 
 et_status cli_distinct(const char *const *paths, size_t n, et_message *message)

@@ -163,12 +163,12 @@ static json_t *row_of(const line *l, int is_fit)
                           l->contender, "runs", (json_int_t)l->runs, "error", l->error, "least", l->least, "greatest", l->greatest, "error_as_printed",
                           l->counted, "seam_gap", l->gap, "evaluations", (json_int_t)l->evaluations, "seconds", l->seconds);
     if (o && is_fit)
-        json_object_set_new(o, "error_non", json_real(l->non));
+        cli_json_add(&o, "error_non", json_real(l->non));
     if (o && !isnan(l->share))
-        json_object_set_new(o, "share", json_real(l->share));
+        cli_json_add(&o, "share", json_real(l->share));
     if (o && !isnan(l->lower)) {
-        json_object_set_new(o, "lower", json_real(l->lower));
-        json_object_set_new(o, "certified_gap", json_real(l->error - l->lower));
+        cli_json_add(&o, "lower", json_real(l->lower));
+        cli_json_add(&o, "certified_gap", json_real(l->error - l->lower));
     }
     return o;
 }
@@ -180,7 +180,7 @@ static json_t *to_json(const comparison *t, const cli_run *run)
     for (size_t c = 0; rows && c < t->ncases; c++)
         for (size_t m = 0; m < lines_of_case(t); m++) {
             const line l = pick(t, c, m);
-            json_array_append_new(rows, row_of(&l, m < 3));
+            cli_json_append(&rows, row_of(&l, m < 3));
         }
     return json_pack("{s:s, s:i, s:s, s:I, s:o, s:O, s:s, s:I, s:o}", "format", "etalon-comparison", "version", 1, "cloud", t->cloud, "points",
                      (json_int_t)t->points, "seed", json_sprintf("%llu", (unsigned long long)run->seed), "som", t->som, "start",
@@ -237,18 +237,13 @@ static const char *head_differs(const json_t *now, const json_t *then)
 et_status compare_baseline_read(comparison *t, et_message *message)
 {
     const char *path = t->options->baseline;
-    json_error_t error;
-    FILE *stream;
+    et_status status;
 
     if (!path)
         return ET_OK;
-    stream = fopen(path, "rb");
-    if (!stream)
-        return et_status_fail(message, ET_EIO, "cannot read %s: %s", path, strerror(errno));
-    t->baseline = json_loadf(stream, JSON_REJECT_DUPLICATES, &error);
-    fclose(stream);
-    if (!t->baseline)
-        return et_status_fail(message, ET_EFORMAT, "%s:%d: %s", path, error.line, error.text);
+    status = cli_json_load(&t->baseline, path, message);
+    if (status != ET_OK)
+        return status;
     if (!json_is_array(json_object_get(t->baseline, "rows")))
         return et_status_fail(message, ET_EFORMAT, "%s: no table of a comparison", path);
     return ET_OK;

@@ -342,17 +342,18 @@ et_status optimum_ball_polish(double *y, const optimum_model *model, const doubl
 /* ---- how long a least P can be ---- */
 
 /* *inverse >= |A x|-to-|x|: an upper bound of 1 / the least singular value of the columns kept, or, inner, of the columns kept but the first and
- * the last at the parameters but the first and the last.  0 if none is found: the columns may be dependent. */
-static int axis_inverse(arb_t inverse, const optimum_axis *a, arb_srcptr N, int inner, slong bits)
+ * the last at the parameters but the first and the last.  0 if none is found: the columns may be dependent.  at: room for a->n. */
+static int axis_inverse(arb_t inverse, const optimum_axis *a, arb_srcptr N, int inner, slong bits, size_t *at)
 {
-    size_t *const at = et_size_array(a->n, sizeof *at), n = 0, w = a->p + 1;
+    const size_t w = a->p + 1;
+    size_t n = 0;
     arb_mat_t gram;
-    int found = at != NULL;
+    int found = 1;
 
-    for (size_t j = 0; found && j < a->n; j++)
+    for (size_t j = 0; j < a->n; j++)
         at[j] = a->keep[j] && !(inner && (j == 0 || j == a->n - 1)) ? n++ : SIZE_MAX;
     arb_mat_init(gram, (slong)n, (slong)n);
-    for (size_t i = inner ? 1 : 0; found && i < a->nt - (inner ? 1 : 0); i++)
+    for (size_t i = inner ? 1 : 0; i < a->nt - (inner ? 1 : 0); i++)
         for (size_t k = 0; k < w; k++)
             for (size_t l = 0; l < w; l++) {
                 const size_t c = at[a->first[i] + k], d = at[a->first[i] + l];
@@ -360,7 +361,7 @@ static int axis_inverse(arb_t inverse, const optimum_axis *a, arb_srcptr N, int 
                 if (c != SIZE_MAX && d != SIZE_MAX)
                     arb_addmul(arb_mat_entry(gram, c, d), N + i * w + k, N + i * w + l, bits);
             }
-    if (found && n > 0)
+    if (n > 0)
         found = arb_mat_spd_inv(gram, gram, bits);
     if (found) {
         arb_mat_frobenius_norm(inverse, gram, bits);
@@ -368,7 +369,6 @@ static int axis_inverse(arb_t inverse, const optimum_axis *a, arb_srcptr N, int 
         found = arb_is_finite(inverse);
     }
     arb_mat_clear(gram);
-    free(at);
     return found;
 }
 
@@ -382,15 +382,15 @@ static void axis_norm(arb_t size, const optimum_axis *a, arb_srcptr N, slong bit
 
 /* With |N X| <= 1: |X| <= factor.  X is the bottom view's net B and the top's inner nodes T.  |B| <= |U B V'| / (sigma_u sigma_v), and
  * |T| <= (|N X| + |U| |V| |B|) / (sigma_u' sigma_v'), sigma' those of inner columns at inner parameters. */
-static int reach_of(arb_t factor, const optimum_model *m, slong bits)
+static int reach_of(arb_t factor, const optimum_model *m, slong bits, size_t *at)
 {
     basis b;
     arb_ptr s = _arb_vec_init(6);
     int found;
 
     basis_init(&b, m, 1, bits);
-    found = axis_inverse(s, &m->u, b.u, 0, bits) && axis_inverse(s + 1, &m->v, b.v, 0, bits) && axis_inverse(s + 2, &m->u, b.u, 1, bits) &&
-            axis_inverse(s + 3, &m->v, b.v, 1, bits);
+    found = axis_inverse(s, &m->u, b.u, 0, bits, at) && axis_inverse(s + 1, &m->v, b.v, 0, bits, at) && axis_inverse(s + 2, &m->u, b.u, 1, bits, at) &&
+            axis_inverse(s + 3, &m->v, b.v, 1, bits, at);
     axis_norm(s + 4, &m->u, b.u, bits);
     axis_norm(s + 5, &m->v, b.v, bits);
     arb_mul(s, s, s + 1, bits);
@@ -407,12 +407,12 @@ static int reach_of(arb_t factor, const optimum_model *m, slong bits)
 
 /* Where control points stay aside, the range must be that of the others: it is where only zero columns stay aside, and where the ends see the first
  * and the last control points alone, for then N has the rank of the smaller double net. */
-static int find_reach(arb_t factor, const optimum_model *m)
+static int find_reach(arb_t factor, const optimum_model *m, size_t *at)
 {
     if (!(m->u.whole && m->v.whole) && !(m->u.clamped && m->v.clamped))
         return 0;
     for (slong bits = BITS; bits <= MOST_BITS; bits *= 4)
-        if (reach_of(factor, m, bits))
+        if (reach_of(factor, m, bits, at))
             return 1;
     return 0;
 }
@@ -458,6 +458,7 @@ et_status optimum_ball_bound(double *lower, int *proved, const double *y, const 
     projection p;
     arb_t left, factor;
     double most = 0;
+    size_t *at;
     et_status status;
     int shift = 0;
 
@@ -465,9 +466,12 @@ et_status optimum_ball_bound(double *lower, int *proved, const double *y, const 
     *proved = 0;
     if (!all_finite(y, 3 * model->nov))
         return ET_OK;
-    status = projection_init(&p, model, NULL);
-    if (status != ET_OK)
+    at = et_size_array(model->u.n > model->v.n ? model->u.n : model->v.n, sizeof *at);
+    status = at ? projection_init(&p, model, NULL) : ET_ENOMEM;
+    if (status != ET_OK) {
+        free(at);
         return status;
+    }
     arb_init(left);
     arb_init(factor);
     for (size_t k = 0; k < 3 * model->nov; k++)
@@ -477,7 +481,7 @@ et_status optimum_ball_bound(double *lower, int *proved, const double *y, const 
         arb_set_d(p.y + k, y[k]);
         arb_mul_2exp_si(p.y + k, p.y + k, -shift);
     }
-    *proved = find_reach(factor, model);
+    *proved = find_reach(factor, model, at);
     if (*proved && most > 0) {
         project(left, &p, NULL);
         *lower = weigh(&p, left, factor, data);
@@ -485,5 +489,6 @@ et_status optimum_ball_bound(double *lower, int *proved, const double *y, const 
     arb_clear(left);
     arb_clear(factor);
     projection_clear(&p);
+    free(at);
     return ET_OK;
 }
