@@ -270,41 +270,206 @@ et_status et_exact_quality_of(et_som_quality *quality, const et_vec3 *weights, s
 
 /* ---- editing, one-sided derivatives: each value rounded once ---- */
 
+/* g[i] = (u[i+1] + ... + u[i+p]) / p, for p = 0 (u[i] + u[i+1]) / 2.  ET_EINVAL (knots not valid, n not nu - p - 1).
+ * Golden: none (the rows of et_knots_greville are checked against it). */
+/*@ requires g:       \valid(g + (0 .. n - 1));
+    requires knots:   \valid_read(u + (0 .. nu - 1));
+    requires apart:   \separated(g + (0 .. n - 1), u + (0 .. nu - 1));
+    assigns  g[0 .. n - 1];
+    ensures  inside:  \result == ET_OK ==> \forall integer i; 0 <= i < n ==> u[i] <= g[i] <= u[i + p + 1];
+    ensures  kept:    \result != ET_OK ==> \forall integer i; 0 <= i < n ==> g[i] == \old(g[i]);
+*/
 et_status et_exact_knots_greville(double *g, size_t n, const double *u, size_t nu, size_t p);
+
+/* D[0..d] of et_curve_ders_side, to any order: one-sided limits, at the ends of the domain those from inside.  ET_EINVAL, ET_ENOMEM.
+ * Golden: none (the rows of et_curve_ders_side are checked against it). */
+/*@ requires D:       \valid(D + (0 .. d)) && \valid_read(c);
+    requires curve:   et_curve_readable((et_curve *)c);
+    assigns  D[0 .. d];
+    ensures  kept:    \result != ET_OK ==> \forall integer k; 0 <= k <= d ==> D[k] == \old(D[k]);
+*/
 et_status et_exact_curve_ders_side(et_vec3 *D, size_t d, const et_curve *c, double x, et_side side);
+
+/* D[(a+b)(a+b+1)/2 + b]: the derivative a times by u and b times by v, a + b <= d (any d), one-sided as in et_surface_partials.  ET_EINVAL, ET_ENOMEM.
+ * Golden: none (the rows of et_surface_partials are checked against it). */
+/*@ requires D:       \valid(D + (0 .. (d + 1) * (d + 2) / 2 - 1)) && \valid_read(s);
+    requires storage: et_surface_readable((et_surface *)s);
+    assigns  D[0 .. (d + 1) * (d + 2) / 2 - 1];
+    ensures  kept:    \result != ET_OK ==> \forall integer k; 0 <= k < (d + 1) * (d + 2) / 2 ==> D[k] == \old(D[k]);
+*/
 et_status et_exact_surface_partials(et_vec3 *D, size_t d, const et_surface *s, double u, double v, et_side side_u, et_side side_v);
+
+/* S_u x S_v / |S_u x S_v|, derivatives from the right, each coordinate rounded once.  ET_EINVAL; ET_ERANK where the cross product is exactly 0.
+ * Golden: none (the rows of et_surface_normal are checked against it). */
+/*@ requires n:       \valid(n) && \valid_read(s);
+    requires storage: et_surface_readable((et_surface *)s);
+    assigns  *n;
+    ensures  unit:    \result == ET_OK ==> -1.0 <= n->x <= 1.0 && -1.0 <= n->y <= 1.0 && -1.0 <= n->z <= 1.0;
+    ensures  kept:    \result != ET_OK ==> *n == \old(*n);
+*/
 et_status et_exact_surface_normal(et_vec3 *n, const et_surface *s, double u, double v);
-/* Control points (after the division by the exact weight) and weights rounded once each. */
+
+/* The same curve with the knot x of the closed domain `times` times more, behind those that equal it; control points, after the division by their exact
+ * weights, and weights rounded once each.  times = 0: a copy (with +0 for -0).  What *refined held before is not freed.
+ * ET_EINVAL (curve not valid; x outside the domain or not finite; times > 0 and a multiplicity beyond p + 1 afterwards), ET_ENOMEM.
+ * Golden: none (the rows of et_curve_insert are checked against it). */
+/*@ requires refined: \valid(refined) && \valid_read(c);
+    requires curve:   et_curve_readable((et_curve *)c);
+    assigns  *refined;
+    ensures  valid:   \result == ET_OK ==> et_curve_ok(refined) && refined->n == \old(c->n) + times && refined->p == \old(c->p);
+    ensures  kept:    \result != ET_OK ==> *refined == \old(*refined);
+*/
 et_status et_exact_curve_insert(et_curve *refined, const et_curve *c, double x, size_t times);
+
+/* The same curve of degree p + times: each different knot `times` times more, rounded as in et_exact_curve_insert.  Control points whose functions
+ * live nowhere (beside knots of a multiplicity beyond p + 1) keep their places beside the knot.
+ * ET_EINVAL (curve not valid or not clamped), ET_ENOMEM.
+ * Golden: none (the rows of et_curve_elevate are checked against it). */
+/*@ requires elevated: \valid(elevated) && \valid_read(c);
+    requires curve:    et_curve_readable((et_curve *)c);
+    assigns  *elevated;
+    ensures  valid:    \result == ET_OK ==> et_curve_ok(elevated) && elevated->p == \old(c->p) + times;
+    ensures  kept:     \result != ET_OK ==> *elevated == \old(*elevated);
+*/
 et_status et_exact_curve_elevate(et_curve *elevated, const et_curve *c, size_t times);
-/* The knot is removed as often as the exact curve allows without any change: of the exact removability, no tolerance; *removed says how often. */
+
+/* The knot x inside the open domain removed as often, at most `times`, as the curve (its homogeneous coordinates) stays exactly as it is and weights stay
+ * positive; *removed: how often, which may be 0.  Control points and weights are rounded once each: beyond the range of doubles they become infinite,
+ * weights below it 0, and the curve is then no valid one.
+ * ET_EINVAL (curve not valid; x is no knot inside the open domain), ET_ENOMEM.
+ * Golden: none (the rows of et_curve_remove are checked against it). */
+/*@ requires reduced: \valid(reduced) && \valid(removed) && \valid_read(c);
+    requires apart:   \separated(reduced, removed) && \separated(removed, c);
+    requires curve:   et_curve_readable((et_curve *)c);
+    assigns  *reduced, *removed;
+    ensures  often:   \result == ET_OK ==> *removed <= times && reduced->n + *removed == \old(c->n) && reduced->p == \old(c->p);
+    ensures  kept:    \result != ET_OK ==> *reduced == \old(*reduced) && *removed == \old(*removed);
+*/
 et_status et_exact_curve_remove(et_curve *reduced, size_t *removed, const et_curve *c, double x, size_t times);
+
+/* et_exact_curve_insert of all curves of the surface along one direction.  ET_EINVAL, ET_ENOMEM.
+ * Golden: none (the rows of et_surface_insert are checked against it). */
+/*@ requires refined: \valid(refined) && \valid_read(s);
+    requires storage: et_surface_readable((et_surface *)s);
+    assigns  *refined;
+    ensures  valid:   \result == ET_OK ==> et_surface_ok(refined) && refined->p == \old(s->p) && refined->q == \old(s->q);
+    ensures  along:   \result == ET_OK ==> refined->nu == \old(s->nu) + (along == ET_ALONG_U ? times : 0)
+                          && refined->nv == \old(s->nv) + (along == ET_ALONG_U ? 0 : times);
+    ensures  kept:    \result != ET_OK ==> *refined == \old(*refined);
+*/
 et_status et_exact_surface_insert(et_surface *refined, const et_surface *s, et_direction along, double x, size_t times);
+
+/* et_exact_curve_elevate of all curves of the surface along one direction.  ET_EINVAL (surface not valid, that direction not clamped), ET_ENOMEM.
+ * Golden: none (the rows of et_surface_elevate are checked against it). */
+/*@ requires elevated: \valid(elevated) && \valid_read(s);
+    requires storage:  et_surface_readable((et_surface *)s);
+    assigns  *elevated;
+    ensures  valid:    \result == ET_OK ==> et_surface_ok(elevated) && elevated->p == \old(s->p) + (along == ET_ALONG_U ? times : 0)
+                           && elevated->q == \old(s->q) + (along == ET_ALONG_U ? 0 : times);
+    ensures  kept:     \result != ET_OK ==> *elevated == \old(*elevated);
+*/
 et_status et_exact_surface_elevate(et_surface *elevated, const et_surface *s, et_direction along, size_t times);
+
+/* et_exact_curve_remove of all curves of the surface along one direction, from all of them or from none.  ET_EINVAL, ET_ENOMEM.
+ * Golden: none (the rows of et_surface_remove are checked against it). */
+/*@ requires reduced: \valid(reduced) && \valid(removed) && \valid_read(s);
+    requires apart:   \separated(reduced, removed) && \separated(removed, s);
+    requires storage: et_surface_readable((et_surface *)s);
+    assigns  *reduced, *removed;
+    ensures  often:   \result == ET_OK ==> *removed <= times && reduced->p == \old(s->p) && reduced->q == \old(s->q);
+    ensures  kept:    \result != ET_OK ==> *reduced == \old(*reduced) && *removed == \old(*removed);
+*/
 et_status et_exact_surface_remove(et_surface *reduced, size_t *removed, const et_surface *s, et_direction along, double x, size_t times);
 
 /* ---- least squares with given parameters and knots ---- */
 
-/* What a bound for a computed solution needs: condition |A|_F |A+|_F of the collocation matrix (the product of both directions' for a grid), rounded once upwards or to nearest;
- * norm |A|_F; per coordinate |P|_2 and the residual |A P - D|_2. */
+/* What a bound for a computed solution needs, each number rounded once, to nearest.  A is the matrix of the basis functions at the parameters: N_j(t_i) of a
+ * curve, N_i(a_k) M_j(b_k) of scattered points, Kronecker's product of both directions' of a grid, so that its norms are the products of theirs.
+ * norm = |A|_F; condition = |A|_F |A+|_F = sqrt(tr(A'A) tr((A'A)^-1)).  With interpolated corners both are those of the same A, of the free problem: the
+ * reduced one has some of its columns, so that its condition is no greater.
+ * solution: |P|_2 over all control points, residual: |A P - D|_2 over all data, coordinate by coordinate. */
 typedef struct { double condition, norm; et_vec3 solution, residual; } et_exact_lsq;
 
-/* P[0..n-1]: the least squares curve of degree p with knots u through the m points D at parameters t.  ET_EINVAL, ET_ERANK, ET_ENOMEM. */
+/* P[0..n-1]: the least squares curve of degree p with knots u through the m points D at parameters t, each coordinate rounded once; beyond the range of
+ * doubles infinite.  Parameters in any order.
+ * ET_EINVAL (p = 0, nu not n + p + 1, knots not valid, m = 0, a parameter outside the domain, a datum not finite); ET_ERANK: the columns of A depend on
+ * each other (exactly), as they do where the conditions of Schoenberg and Whitney are violated; ET_ENOMEM.
+ * Golden: none (exact by definition; conformance vectors computed in Python's rationals agree). */
+/*@ requires valid:   \valid(P + (0 .. n - 1)) && \valid(lsq);
+    requires read:    \valid_read(u + (0 .. nu - 1)) && \valid_read(t + (0 .. m - 1)) && \valid_read(D + (0 .. m - 1));
+    assigns  P[0 .. n - 1], *lsq;
+    ensures  few:     m < n ==> \result != ET_OK;
+    ensures  norms:   \result == ET_OK ==> lsq->condition >= n && lsq->norm > 0.0;
+    ensures  kept:    \result != ET_OK ==> *lsq == \old(*lsq) && \forall integer i; 0 <= i < n ==> P[i] == \old(P[i]);
+*/
 et_status et_exact_fit_curve(et_vec3 *P, size_t n, et_exact_lsq *lsq, const double *u, size_t nu, size_t p, const double *t, const et_vec3 *D, size_t m);
-/* P[i*nv + j]: the least squares surface through D[i*mv + j] at (a[i], b[j]); corners != 0: it interpolates the four corners (a constrained optimum). */
-et_status et_exact_fit_grid(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q, const double *a, size_t mu,
-                            const double *b, size_t mv, const et_vec3 *D, int corners);
-/* P[i*nv + j]: the least squares surface through m points D[k] at (a[k], b[k]). */
+
+/* P[i*nv + j]: the least squares surface of degrees p, q with knots u (nu + p + 1), v (nv + q + 1) through D[i*mv + j] at (a[i], b[j]); corners != 0: of
+ * those whose four corners are the data's, the one of least squares (a constrained optimum).
+ * ET_EINVAL as in et_exact_fit_curve; with corners also if knots are not clamped or the first and the last parameters are not the ends of the domain.
+ * ET_ERANK: the columns of either direction's matrix depend on each other.  ET_ENOMEM.
+ * Golden: none (exact by definition; conformance vectors computed in Python's rationals agree). */
+/*@ requires valid:   \valid(P + (0 .. nu * nv - 1)) && \valid(lsq);
+    requires read:    \valid_read(u + (0 .. nu + p)) && \valid_read(v + (0 .. nv + q)) && \valid_read(a + (0 .. mu - 1)) &&
+                      \valid_read(b + (0 .. mv - 1)) && \valid_read(D + (0 .. mu * mv - 1));
+    assigns  P[0 .. nu * nv - 1], *lsq;
+    ensures  few:     mu < nu || mv < nv ==> \result != ET_OK;
+    ensures  norms:   \result == ET_OK ==> lsq->condition >= nu * nv && lsq->norm > 0.0;
+    ensures  kept:    \result != ET_OK ==> *lsq == \old(*lsq) && \forall integer k; 0 <= k < nu * nv ==> P[k] == \old(P[k]);
+*/
+et_status et_exact_fit_grid(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q, const double *a,
+                            size_t mu, const double *b, size_t mv, const et_vec3 *D, int corners);
+
+/* P[i*nv + j]: the least squares surface through m points D[k] at (a[k], b[k]).  Errors as in et_exact_fit_curve.
+ * Golden: none (exact by definition; conformance vectors computed in Python's rationals agree). */
+/*@ requires valid:   \valid(P + (0 .. nu * nv - 1)) && \valid(lsq);
+    requires read:    \valid_read(u + (0 .. nu + p)) && \valid_read(v + (0 .. nv + q)) && \valid_read(a + (0 .. m - 1)) &&
+                      \valid_read(b + (0 .. m - 1)) && \valid_read(D + (0 .. m - 1));
+    assigns  P[0 .. nu * nv - 1], *lsq;
+    ensures  few:     m < nu * nv ==> \result != ET_OK;
+    ensures  norms:   \result == ET_OK ==> lsq->condition >= nu * nv && lsq->norm > 0.0;
+    ensures  kept:    \result != ET_OK ==> *lsq == \old(*lsq) && \forall integer k; 0 <= k < nu * nv ==> P[k] == \old(P[k]);
+*/
 et_status et_exact_fit_scattered(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q, const double *a,
                                  const double *b, const et_vec3 *D, size_t m);
 
 /* ---- distances ---- */
 
-/* The least distance of a point from the curve: *lower <= exact minimum <= *distance, (1 - 2^-40) *distance <= *lower or *distance below 2^-40 times the size of the control net;
- * *x where *distance is attained.  A branch and bound over rigorous (Bezier hull) bounds.  ET_ENOCONV if that many boxes do not decide it. */
+/* The least distance of a point from the curve, over the closed domain, with both limits where the curve jumps.  *distance is the exact distance of the
+ * point C(x) rounded up, *lower a proved lower bound: *lower <= the least distance <= *distance.  One of these holds:
+ *     (1 - 2^-40) *distance <= *lower;
+ *     *distance is at most 2^-40 times the size of the control net, the longest side of the box of its control points (then *lower is 0);
+ *     what is nearer lies strictly between two neighbouring doubles as parameters (where the doubles of the domain lie far apart, or at a jump).
+ * ET_EINVAL (curve not valid, point not finite), ET_ENOMEM, ET_ENOCONV: 2^16 pieces do not decide it.
+ * Golden: none (which of many nearest parameters is found is free; the distance is proved by each call). */
+/*@ requires valid:   \valid(x) && \valid(distance) && \valid(lower) && \separated(x, distance, lower) && \valid_read(c);
+    requires curve:   et_curve_readable((et_curve *)c);
+    assigns  *x, *distance, *lower;
+    ensures  bounds:  \result == ET_OK ==> 0.0 <= *lower <= *distance;
+    ensures  kept:    \result != ET_OK ==> *x == \old(*x) && *distance == \old(*distance) && *lower == \old(*lower);
+*/
 et_status et_exact_curve_nearest(double *x, double *distance, double *lower, const et_curve *c, et_vec3 point);
+
+/* The same of a surface: borders, seams and poles are nothing special.
+ * Golden: none (which of many nearest parameters is found is free; the distance is proved by each call). */
+/*@ requires valid:   \valid(uv + (0 .. 1)) && \valid(distance) && \valid(lower) && \separated(uv + (0 .. 1), distance, lower) && \valid_read(s);
+    requires storage: et_surface_readable((et_surface *)s);
+    assigns  uv[0 .. 1], *distance, *lower;
+    ensures  bounds:  \result == ET_OK ==> 0.0 <= *lower <= *distance;
+    ensures  kept:    \result != ET_OK ==> uv[0] == \old(uv[0]) && uv[1] == \old(uv[1]) && *distance == \old(*distance) && *lower == \old(*lower);
+*/
 et_status et_exact_surface_nearest(double uv[2], double *distance, double *lower, const et_surface *s, et_vec3 point);
-/* sum and greatest of |D[i*mv + j] - S(a[i], b[j])|, each rounded once. */
+
+/* The sum and the greatest of |D[i*mv + j] - S(a[i], b[j])|, each rounded once; both 0 if there are no data.  ET_EINVAL (surface not valid, a
+ * parameter or a datum not finite), ET_ENOMEM.
+ * Golden: none (exact by definition; the distances are those of et_exact_fit_measure). */
+/*@ requires valid:   \valid(sum) && \valid(greatest) && \separated(sum, greatest) && \valid_read(s);
+    requires storage: et_surface_readable((et_surface *)s);
+    requires read:    \valid_read(a + (0 .. mu - 1)) && \valid_read(b + (0 .. mv - 1)) && \valid_read(D + (0 .. mu * mv - 1));
+    assigns  *sum, *greatest;
+    ensures  order:   \result == ET_OK ==> 0.0 <= *greatest <= *sum;
+    ensures  kept:    \result != ET_OK ==> *sum == \old(*sum) && *greatest == \old(*greatest);
+*/
 et_status et_exact_surface_error(double *sum, double *greatest, const et_surface *s, const double *a, size_t mu, const double *b, size_t mv, const et_vec3 *D);
 
 #ifdef __cplusplus
