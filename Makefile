@@ -55,8 +55,8 @@ CXXFLAGS = -std=c++17 $(COMMON) $(filter-out -march=native,$(FLAGS_$(P))) -isyst
 LDFLAGS ?= -Wl,--as-needed
 LIBS   := -lceres -lglog -llapacke -llapack -lblas -ljansson -lflint-arb -lflint -lmpfr -lgmp -lstdc++ -lm
 LDLIBS  = $(filter-out $(LEFT_OUT_LIBS),$(LIBS))
-# GSL is a second opinion: tests and peers only.
-GSL    := -lgsl -lgslcblas
+# GSL and SISL are second opinions: tests and peers only.
+GSL    := -lgsl -lgslcblas -lsisl
 
 LIBROOMS := $(filter-out cli,$(ROOMS))
 SRC   := $(filter-out $(LEFT_OUT),$(foreach r,$(LIBROOMS),$(wildcard src/$(r)/*.c) $(wildcard src/$(r)/*.cpp)))
