@@ -30,15 +30,41 @@ typedef struct {
 
 typedef struct {
     size_t count[ET_OPS][ET_CATEGORIES][ET_VERDICTS];
-    size_t asked, refused_rightly, skipped;      /* skipped: not asked, because the operation timed out or crashed too often in a row */
+    size_t asked, refused_rightly, skipped;      /* skipped: the operation timed out or crashed too often in a row; or the exact layer could not decide */
     double worst[ET_OPS];                 /* greatest error / bound */
     et_conform_finding *finding;
     size_t findings;
 } et_conform_report;
 
+/* Level 0, all operations, seed 1, 10000 cases, no vectors, 3 findings.
+ * Golden: none (settings). */
+/*@ assigns \nothing;
+    ensures level: \result.level == 0;
+    ensures all:   \forall integer k; 0 <= k < ET_OPS ==> \result.op[k] == 1;
+*/
 et_conform_options et_conform_defaults(void);
-/* ET_OK whatever the verdicts; ET_EIO, ET_EFORMAT (vectors), ET_ENOMEM, ET_ESTOPPED: the report so far is delivered. */
+
+/* The peer is asked, judged and counted, as docs/conformance.md says.  Requests are asked in blocks of 32, once in order and then all again in the reverse
+ * order; after 3 timeouts or 8 crashes in a row within an operation the rest of it is skipped.  The same seed gives the same requests.
+ * *report is delivered whatever the status, and freed by et_conform_free.  ET_OK whatever the verdicts; ET_EIO (vectors cannot be read; the peer does not
+ * start any more, which counts as a crash), ET_EFORMAT (vectors), ET_ENOMEM, ET_ESTOPPED (and whatever else the task says): what was known then.
+ * Golden: none (another program's replies). */
+/*@ requires report:  \valid(report);
+    requires peer:    peer != \null;
+    requires options: \valid_read(options) && (options->vectors == \null || valid_read_string(options->vectors));
+    requires task:    task == \null || \valid_read(task);
+    requires message: message == \null || \valid(message);
+    requires apart:   \separated(report, message);
+    ensures  told:    report->findings == 0 || \valid_read(report->finding + (0 .. report->findings - 1));
+*/
 et_status et_conform_run(et_conform_report *report, et_peer *peer, const et_conform_options *options, const et_task *task, et_message *message);
+
+/* Frees the findings and zeroes the report; nothing to do for a zeroed one.
+ * Golden: none (storage). */
+/*@ requires report: \valid(report);
+    assigns  *report;
+    ensures  zero:   report->finding == \null && report->findings == 0 && report->asked == 0;
+*/
 void et_conform_free(et_conform_report *report);
 
 #ifdef __cplusplus
