@@ -1,96 +1,8 @@
 /* spline/curve: against the sum over all control points with the basis by its definition, against surfaces of one direction, de Boor's algorithm. */
-#include "etalon/spline/curve.h"
-#include "etalon/base/size.h"
+#include "curves.h"
 #include "etalon/spline/knots.h"
 #include "etalon/spline/surface.h"
-#include "golden.h"
-#include "reference.h"
 #include <stdint.h>
-#include <stdlib.h>
-
-enum { DEGREE = 6, ORDER = 8 };
-
-static double coordinate(const et_vec3 *p, int a)
-{
-    return a == 0 ? p->x : a == 1 ? p->y : p->z;
-}
-
-static bool same_point(et_vec3 a, et_vec3 b)
-{
-    return ref_same(a.x, b.x) && ref_same(a.y, b.y) && ref_same(a.z, b.z);
-}
-
-/* A curve of degree up to DEGREE, a third of them rational.  Clamped on [0,1] unless `free_ends`. */
-static bool draw(gen *g, et_curve *c, bool free_ends)
-{
-    bool rational = gen_upto(g, 2) == 2;
-    size_t p = gen_upto(g, 1) == 0 ? 3 : (size_t)gen_upto(g, DEGREE), n = p + 1 + (size_t)gen_upto(g, 8);
-    if (et_curve_new(c, p, n, rational) != ET_OK) {
-        return false;
-    }
-    gen_points(g, &c->points[0].x, n);
-    for (size_t i = 0; rational && i < n; i++) {
-        c->weights[i] = gen_real(g, 0.25, 4.0);
-    }
-    if (free_ends) {
-        ref_draw_knots(g, c->u, n + p + 1, p);
-    } else {
-        gen_knots(g, c->u, n + p + 1, p);
-    }
-    gen_note(g, "p = %zu, n = %zu, %s", p, n, rational ? "rational" : "polynomial");
-    if (!et_curve_valid(c)) {
-        et_curve_free(c);
-        return false;
-    }
-    return true;
-}
-
-static double draw_x(gen *g, const et_curve *c)
-{
-    return gen_parameter(g, c->u, c->n + c->p + 1, c->p);
-}
-
-static et_vec3 point(const et_curve *c, double x)
-{
-    size_t n = et_curve_work(c, 0);
-    double *work = et_size_array(n, sizeof(double));
-    et_vec3 C = et_curve_point(c, x, work, n);
-    free(work);
-    return C;
-}
-
-static void ders(et_vec3 *D, size_t d, const et_curve *c, double x)
-{
-    size_t n = et_curve_work(c, d);
-    double *work = et_size_array(n, sizeof(double));
-    et_curve_ders(D, d, c, x, work, n);
-    free(work);
-}
-
-/* The sums over all control points of a derivative of the basis times w, w x, w y, w z, and of the terms' magnitudes. */
-typedef struct { double value[4], size[4]; } sums;
-
-static sums brute(const et_curve *c, double x, size_t k)
-{
-    double N[REF_KNOTS], M[REF_KNOTS];
-    sums t = {{0.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0}};
-    ref_derivative(N, M, c->u, c->n + c->p + 1, c->p, x, k);
-    for (size_t i = c->n; i-- > 0;) {
-        double w = c->weights ? c->weights[i] : 1.0;
-        for (int a = 0; a < 4; a++) {
-            double h = a == 0 ? w : w * coordinate(&c->points[i], a - 1);
-            t.value[a] += N[i] * h;
-            t.size[a] += M[i] * fabs(h);
-        }
-    }
-    return t;
-}
-
-/* Ours 8p + 5, the brute way's 5p for its basis, 2 and p + 1 more for products and sums, a derivative's factor and the comparison's own k + 3. */
-static double slack(const et_curve *c)
-{
-    return (14.0 * (double)c->p + 12.0 + ORDER) * ET_UNIT * (1.0 + 0x1p-40);
-}
 
 verdict prop_curve_valid(gen *g)
 {
@@ -379,25 +291,6 @@ verdict prop_curve_ders_prefix(gen *g)
     free(work);
     et_curve_free(&c);
     return ok ? PASS : FAIL;
-}
-
-/* p, n, rational; knots; points; weights if rational.  Returns the place of the next argument, 0 if memory is short. */
-static size_t read_curve(const row *r, et_curve *c)
-{
-    size_t at = 3;
-    if (et_curve_new(c, row_size(r, 0), row_size(r, 1), (int)row_size(r, 2)) != ET_OK) {
-        return 0;
-    }
-    for (size_t i = 0; i <= c->n + c->p; i++) {
-        c->u[i] = row_real(r, at++);
-    }
-    for (size_t i = 0; i < c->n; i++, at += 3) {
-        c->points[i] = (et_vec3){row_real(r, at), row_real(r, at + 1), row_real(r, at + 2)};
-    }
-    for (size_t i = 0; c->weights && i < c->n; i++) {
-        c->weights[i] = row_real(r, at++);
-    }
-    return at;
 }
 
 static bool is(const row *r, et_vec3 C)

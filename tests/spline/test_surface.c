@@ -1,110 +1,14 @@
 /* spline/surface: against the sum over all control points with the basis by its definition, and every way to a point against every other. */
-#include "etalon/spline/surface.h"
-#include "etalon/base/size.h"
-#include "etalon/spline/knots.h"
-#include "golden.h"
-#include "reference.h"
+#include "surfaces.h"
 #include <stdint.h>
-#include <stdlib.h>
 
-enum { DEGREE = 4, POINTS = 1200 };
-
-static double coordinate(const et_vec3 *p, int a)
-{
-    return a == 0 ? p->x : a == 1 ? p->y : p->z;
-}
-
-static bool same_point(et_vec3 a, et_vec3 b)
-{
-    return ref_same(a.x, b.x) && ref_same(a.y, b.y) && ref_same(a.z, b.z);
-}
-
-/* A surface of degrees p, q up to DEGREE; cubic and polynomial often, as the fast ways are.  Clamped unless `free_ends`. */
-static bool draw(gen *g, et_surface *s, bool free_ends)
-{
-    bool cubic = gen_upto(g, 1) == 0, rational = gen_upto(g, 2) == 2;
-    size_t p = cubic ? 3 : (size_t)gen_upto(g, DEGREE), q = cubic || gen_chance(g, 3) ? 3 : (size_t)gen_upto(g, DEGREE);
-    size_t nu = p + 1 + (size_t)gen_upto(g, 6), nv = q + 1 + (size_t)gen_upto(g, 6);
-    if (et_surface_new(s, p, q, nu, nv, rational) != ET_OK) {
-        return false;
-    }
-    gen_points(g, &s->points[0].x, nu * nv);
-    for (size_t i = 0; rational && i < nu * nv; i++) {
-        s->weights[i] = gen_real(g, 0.25, 4.0);
-    }
-    if (free_ends) {
-        ref_draw_knots(g, s->u, nu + p + 1, p);
-        ref_draw_knots(g, s->v, nv + q + 1, q);
-    } else {
-        gen_knots(g, s->u, nu + p + 1, p);
-        gen_knots(g, s->v, nv + q + 1, q);
-    }
-    gen_note(g, "p = %zu, q = %zu, %zu x %zu, %s", p, q, nu, nv, rational ? "rational" : "polynomial");
-    if (!et_surface_valid(s)) {
-        et_surface_free(s);
-        return false;
-    }
-    return true;
-}
-
-static double draw_u(gen *g, const et_surface *s)
-{
-    return gen_parameter(g, s->u, s->nu + s->p + 1, s->p);
-}
-
-static double draw_v(gen *g, const et_surface *s)
-{
-    return gen_parameter(g, s->v, s->nv + s->q + 1, s->q);
-}
-
-static double *room(const et_surface *s)
-{
-    return et_size_array(et_surface_work(s) + 1, sizeof(double));
-}
-
-static et_vec3 point(const et_surface *s, double u, double v)
-{
-    double *work = room(s);
-    et_vec3 S = et_surface_point(s, u, v, work, et_surface_work(s));
-    free(work);
-    return S;
-}
-
-/* The sums over all control points of a derivative of the basis times w, w x, w y, w z, and of the terms' magnitudes. */
-typedef struct { double value[4], size[4]; } sums;
-
-static sums brute(const et_surface *s, double u, double v, size_t du, size_t dv)
-{
-    double N[REF_KNOTS], NM[REF_KNOTS], M[REF_KNOTS], MM[REF_KNOTS];
-    sums t = {{0.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 0.0}};
-    ref_derivative(N, NM, s->u, s->nu + s->p + 1, s->p, u, du);
-    ref_derivative(M, MM, s->v, s->nv + s->q + 1, s->q, v, dv);
-    for (size_t j = s->nv; j-- > 0;) {
-        for (size_t i = s->nu; i-- > 0;) {
-            size_t k = i * s->nv + j;
-            double w = s->weights ? s->weights[k] : 1.0;
-            for (int a = 0; a < 4; a++) {
-                double c = a == 0 ? w : w * coordinate(&s->points[k], a - 1);
-                t.value[a] += N[i] * M[j] * c;
-                t.size[a] += NM[i] * MM[j] * fabs(c);
-            }
-        }
-    }
-    return t;
-}
-
-/* Roundings of ours and of the brute way together, values and derivatives, first order and a bit. */
-static double slack(const et_surface *s)
-{
-    double p = (double)s->p, q = (double)s->q;
-    return (7.0 * (p + q) + 12.0 + 6.0 * (p + q) + (p + 1.0) * (q + 1.0) + 8.0) * ET_UNIT * (1.0 + 0x1p-40);
-}
+enum { POINTS = 1200 };
 
 verdict prop_surface_valid(gen *g)
 {
     static const double bad[] = {0.0, -1.0, HUGE_VAL, NAN, -0.0};
     et_surface s, zero = {0, 0, 0, 0, NULL, NULL, NULL, NULL};
-    if (!draw(g, &s, true)) {
+    if (!draw_surface(g, &s, true)) {
         return SKIP;
     }
     size_t n = s.nu * s.nv, at = (size_t)gen_upto(g, n - 1);
@@ -181,7 +85,7 @@ verdict prop_surface_new(gen *g)
 verdict prop_surface_copy(gen *g)
 {
     et_surface s, t, none = {3, 3, 2, 2, NULL, NULL, NULL, NULL};
-    if (!draw(g, &s, true)) {
+    if (!draw_surface(g, &s, true)) {
         return SKIP;
     }
     memset(&t, 0x3c, sizeof t);
@@ -205,7 +109,7 @@ verdict prop_surface_free(gen *g)
 {
     et_surface s, zero = {0, 0, 0, 0, NULL, NULL, NULL, NULL};
     et_surface_free(&zero);
-    if (!draw(g, &s, false)) {
+    if (!draw_surface(g, &s, false)) {
         return SKIP;
     }
     et_surface_free(&s);
@@ -220,11 +124,11 @@ verdict prop_surface_work(gen *g)
     et_surface s;
     et_vec3 D[6], S[70];
     double a[70], b[70];
-    if (!draw(g, &s, false)) {
+    if (!draw_surface(g, &s, false)) {
         return SKIP;
     }
     size_t n = et_surface_work(&s);
-    double *work = room(&s);
+    double *work = surface_room(&s);
     bool ok = gen_check(g, n >= 1 && work, "%zu doubles", n);
     for (size_t k = 0; k < 70; k++) {
         a[k] = draw_u(g, &s);
@@ -245,17 +149,17 @@ verdict prop_surface_work(gen *g)
 verdict prop_surface_point(gen *g)
 {
     et_surface s;
-    if (!draw(g, &s, true)) {
+    if (!draw_surface(g, &s, true)) {
         return SKIP;
     }
     double u = draw_u(g, &s), v = draw_v(g, &s);
-    et_vec3 S = point(&s, u, v);
-    sums t = brute(&s, u, v, 0, 0);
+    et_vec3 S = surface_at(&s, u, v);
+    sums t = surface_brute(&s, u, v, 0, 0);
     bool ok = true;
     for (int a = 0; ok && a < 3; a++) {
         /* Numerator and denominator within slack of theirs; then one rounding each way. */
         double w = s.weights ? t.value[0] : 1.0, want = t.value[a + 1] / w;
-        double bound = (s.weights ? 2.0 : 1.0) * (slack(&s) + 2.0 * ET_UNIT) * (t.size[a + 1] / w) + 0x1p-700;
+        double bound = (s.weights ? 2.0 : 1.0) * (surface_slack(&s) + 2.0 * ET_UNIT) * (t.size[a + 1] / w) + 0x1p-700;
         ok = gen_check(g, fabs(coordinate(&S, a) - want) <= bound, "(%a, %a): coordinate %d is %a, by brute force %a", u, v, a, coordinate(&S, a), want);
     }
     et_surface_free(&s);
@@ -266,13 +170,13 @@ verdict prop_surface_point(gen *g)
 verdict prop_surface_point_corners(gen *g)
 {
     et_surface s;
-    if (!draw(g, &s, false)) {
+    if (!draw_surface(g, &s, false)) {
         return SKIP;
     }
     bool right = gen_upto(g, 1) == 1, top = gen_upto(g, 1) == 1, ok = true;
     double u = right ? 1.0 : 0.0, v = top ? 1.0 : 0.0;
     size_t k = (right ? s.nu - 1 : 0) * s.nv + (top ? s.nv - 1 : 0);
-    et_vec3 S = point(&s, u, v), T = point(&s, right ? 1.5 : -0.5, top ? 7.0 : -1e300);
+    et_vec3 S = surface_at(&s, u, v), T = surface_at(&s, right ? 1.5 : -0.5, top ? 7.0 : -1e300);
     for (int a = 0; ok && a < 3; a++) {
         double P = coordinate(&s.points[k], a);
         double want = s.weights ? s.weights[k] * P / s.weights[k] : P;
@@ -281,13 +185,13 @@ verdict prop_surface_point_corners(gen *g)
     ok = ok && gen_check(g, same_point(S, T), "outside another point");
     /* An edge is the curve of its own control points: the others may be anywhere. */
     v = draw_v(g, &s);
-    S = point(&s, u, v);
+    S = surface_at(&s, u, v);
     for (size_t i = 0; i < s.nu; i++) {
         for (size_t j = 0; j < s.nv && i != (right ? s.nu - 1 : 0); j++) {
             s.points[i * s.nv + j] = (et_vec3){3.0, -5.0, 7.0};
         }
     }
-    T = point(&s, u, v);
+    T = surface_at(&s, u, v);
     ok = ok && gen_check(g, S.x == T.x && S.y == T.y && S.z == T.z, "the edge u = %g depends on inner control points at v = %a", u, v);
     et_surface_free(&s);
     return ok ? PASS : FAIL;
@@ -297,12 +201,12 @@ verdict prop_surface_point_corners(gen *g)
 verdict prop_surface_point_affine(gen *g)
 {
     et_surface s;
-    if (!draw(g, &s, true)) {
+    if (!draw_surface(g, &s, true)) {
         return SKIP;
     }
     double u = draw_u(g, &s), v = draw_v(g, &s), size = 0.0;
     int e = (int)gen_upto(g, 60);
-    et_vec3 shift = {(double)gen_upto(g, 9), -(double)gen_upto(g, 9), 0.5}, S = point(&s, u, v), lo = s.points[0], hi = lo;
+    et_vec3 shift = {(double)gen_upto(g, 9), -(double)gen_upto(g, 9), 0.5}, S = surface_at(&s, u, v), lo = s.points[0], hi = lo;
     size_t n = s.nu * s.nv;
     for (size_t k = 0; k < n; k++) {
         et_vec3 P = s.points[k];
@@ -312,18 +216,18 @@ verdict prop_surface_point_affine(gen *g)
         s.points[k] = (et_vec3){ldexp(P.y, e), -ldexp(P.z, e), ldexp(P.x, e)};
     }
     /* A convex combination's weights add up within slack of 1, and each term of it is within slack. */
-    double bound = 3.0 * (slack(&s) + 2.0 * ET_UNIT) * size + 0x1p-700;
+    double bound = 3.0 * (surface_slack(&s) + 2.0 * ET_UNIT) * size + 0x1p-700;
     bool ok = gen_check(g, S.x >= lo.x - bound && S.x <= hi.x + bound && S.y >= lo.y - bound && S.y <= hi.y + bound && S.z >= lo.z - bound &&
                                S.z <= hi.z + bound, "outside the convex hull");
-    et_vec3 T = point(&s, u, v), want = {ldexp(S.y, e), -ldexp(S.z, e), ldexp(S.x, e)};
+    et_vec3 T = surface_at(&s, u, v), want = {ldexp(S.y, e), -ldexp(S.z, e), ldexp(S.x, e)};
     /* Exactly, but for products that underflow before and not after. */
     ok = ok && gen_check(g, fabs(T.x - want.x) <= 0x1p-900 && fabs(T.y - want.y) <= 0x1p-900 && fabs(T.z - want.z) <= 0x1p-900, "scaled by 2^%d: %a for %a",
                          e, T.x, want.x);
     for (size_t k = 0; k < n; k++) {
         s.points[k] = (et_vec3){ldexp(s.points[k].x, -e) + shift.x, ldexp(s.points[k].y, -e) + shift.y, ldexp(s.points[k].z, -e) + shift.z};
     }
-    T = point(&s, u, v);
-    bound = 4.0 * (slack(&s) + 2.0 * ET_UNIT) * (size + 9.0) + 0x1p-700;
+    T = surface_at(&s, u, v);
+    bound = 4.0 * (surface_slack(&s) + 2.0 * ET_UNIT) * (size + 9.0) + 0x1p-700;
     ok = ok && gen_check(g, fabs(T.x - (S.y + shift.x)) <= bound && fabs(T.y - (shift.y - S.z)) <= bound && fabs(T.z - (S.x + shift.z)) <= bound,
                          "moved: %a for %a", T.x, S.y + shift.x);
     et_surface_free(&s);
@@ -334,18 +238,18 @@ verdict prop_surface_point_affine(gen *g)
 verdict prop_surface_point_weights(gen *g)
 {
     et_surface s;
-    if (!draw(g, &s, false)) {
+    if (!draw_surface(g, &s, false)) {
         return SKIP;
     }
     double u = draw_u(g, &s), v = draw_v(g, &s), *own = s.weights, w = ldexp(1.0, (int)gen_upto(g, 40) - 20);
     size_t n = s.nu * s.nv;
     s.weights = NULL;
-    et_vec3 S = point(&s, u, v);
+    et_vec3 S = surface_at(&s, u, v);
     s.weights = et_size_array(n, sizeof(double));
     for (size_t k = 0; k < n; k++) {
         s.weights[k] = w;
     }
-    et_vec3 T = point(&s, u, v);
+    et_vec3 T = surface_at(&s, u, v);
     /* The sum of weights: 7(p+q) roundings from w at most; a division. */
     double bound = (7.0 * (double)(s.p + s.q) + 1.0) * ET_UNIT * (1.0 + 0x1p-40);
     bool ok = gen_check(g, fabs(S.x - T.x) <= bound * fabs(S.x) + 0x1p-900 && fabs(S.y - T.y) <= bound * fabs(S.y) + 0x1p-900 &&
@@ -362,14 +266,14 @@ verdict prop_surface_ders(gen *g)
     et_surface s;
     et_vec3 D[6];
     sums A[6];
-    if (!draw(g, &s, true)) {
+    if (!draw_surface(g, &s, true)) {
         return SKIP;
     }
-    double u = draw_u(g, &s), v = draw_v(g, &s), *work = room(&s);
+    double u = draw_u(g, &s), v = draw_v(g, &s), *work = surface_room(&s);
     et_surface_ders(D, &s, u, v, work, et_surface_work(&s));
-    bool ok = gen_check(g, same_point(D[0], point(&s, u, v)), "D[0] is another point");
+    bool ok = gen_check(g, same_point(D[0], surface_at(&s, u, v)), "D[0] is another point");
     for (size_t k = 0; k < 6; k++) {
-        A[k] = brute(&s, u, v, du[k], dv[k]);
+        A[k] = surface_brute(&s, u, v, du[k], dv[k]);
         if (!s.weights) {                     /* the sum of the basis is 1, of its derivatives 0 */
             A[k].value[0] = k == 0 ? 1.0 : 0.0;
             A[k].size[0] = A[k].value[0];
@@ -386,7 +290,7 @@ verdict prop_surface_ders(gen *g)
                 sum += t[2] * A[t[0]].value[0] * coordinate(&D[t[1]], a);
                 size += t[2] * A[t[0]].size[0] * fabs(coordinate(&D[t[1]], a));
             }
-            ok = gen_check(g, fabs(sum - A[k].value[a + 1]) <= slack(&s) * size + 0x1p-300, "(%a, %a): derivative %zu, coordinate %d: %a for %a", u, v, k, a,
+            ok = gen_check(g, fabs(sum - A[k].value[a + 1]) <= surface_slack(&s) * size + 0x1p-300, "(%a, %a): derivative %zu, coordinate %d: %a for %a", u, v, k, a,
                            sum, A[k].value[a + 1]);
         }
     }
@@ -399,14 +303,14 @@ verdict prop_surface_ders(gen *g)
 verdict prop_surface_points(gen *g)
 {
     et_surface s;
-    if (!draw(g, &s, true)) {
+    if (!draw_surface(g, &s, true)) {
         return SKIP;
     }
     size_t n = gen_chance(g, 8) ? 1023 + (size_t)gen_upto(g, 80) : (size_t)gen_upto(g, 150);
     double *u = malloc(n * sizeof *u + 1), *v = malloc(n * sizeof *v + 1);      /* not a double more: the sanitizer watches the ends */
     et_vec3 *S = malloc((n + 1) * sizeof *S);
     uint64_t seed = gen_upto(g, UINT64_MAX);
-    double lou = s.u[s.p], hiu = s.u[s.nu], lov = s.v[s.q], hiv = s.v[s.nv], *work = room(&s);
+    double lou = s.u[s.p], hiu = s.u[s.nu], lov = s.v[s.q], hiv = s.v[s.nv], *work = surface_room(&s);
     for (size_t k = 0; k < n; k++) {
         seed = seed * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
         u[k] = lou + (hiu - lou) * ((double)(seed >> 43) * 0x1p-20 - 0.5);      /* half of them outside */
@@ -456,7 +360,7 @@ verdict prop_surface_points_crowded(gen *g)
         u[k] = k < crowd ? at + (double)k * 0x1p-20 : k % 97 == 0 ? s.u[k % (nu + 4)] : (double)k / POINTS;
         v[k] = k % 89 == 0 ? s.v[k % 9] : -3.0 + 8.0 * (double)(k * 77 % POINTS) / POINTS;
     }
-    double *work = room(&s);
+    double *work = surface_room(&s);
     et_surface_points(S, &s, u, v, POINTS, work, et_surface_work(&s));
     bool ok = gen_check(g, et_surface_valid(&s), "not valid");
     for (size_t k = 0; ok && k < POINTS; k++) {
@@ -491,7 +395,7 @@ verdict prop_surface_points_narrow(gen *g)
         u[k] = s.u[6] * ((double)(k % 41) / 40.0);
         v[k] = s.v[6] * ((double)(k * 7 % 64) / 64.0);
     }
-    double *work = room(&s);
+    double *work = surface_room(&s);
     et_surface_points(S, &s, u, v, POINTS, work, et_surface_work(&s));
     bool ok = gen_check(g, et_surface_valid(&s), "not valid");
     for (size_t k = 0; ok && k < POINTS; k++) {
@@ -508,11 +412,11 @@ verdict prop_surface_grid(gen *g)
     double a[20], b[20];
     et_vec3 S[401];
     et_surface s;
-    if (!draw(g, &s, true)) {
+    if (!draw_surface(g, &s, true)) {
         return SKIP;
     }
     size_t na = (size_t)gen_upto(g, 20), nb = (size_t)gen_upto(g, 20);
-    double *work = room(&s);
+    double *work = surface_room(&s);
     for (size_t i = 0; i < na; i++) {
         a[i] = gen_chance(g, 10) ? 1e9 : draw_u(g, &s);
     }
@@ -529,28 +433,6 @@ verdict prop_surface_grid(gen *g)
     free(work);
     et_surface_free(&s);
     return ok ? PASS : FAIL;
-}
-
-/* p, q, nu, nv, rational; knots u, v; points; weights if rational.  Returns the place of the next argument, 0 if memory is short. */
-static size_t read_surface(const row *r, et_surface *s)
-{
-    size_t at = 5;
-    if (et_surface_new(s, row_size(r, 0), row_size(r, 1), row_size(r, 2), row_size(r, 3), (int)row_size(r, 4)) != ET_OK) {
-        return 0;
-    }
-    for (size_t i = 0; i <= s->nu + s->p; i++) {
-        s->u[i] = row_real(r, at++);
-    }
-    for (size_t i = 0; i <= s->nv + s->q; i++) {
-        s->v[i] = row_real(r, at++);
-    }
-    for (size_t i = 0; i < s->nu * s->nv; i++, at += 3) {
-        s->points[i] = (et_vec3){row_real(r, at), row_real(r, at + 1), row_real(r, at + 2)};
-    }
-    for (size_t i = 0; s->weights && i < s->nu * s->nv; i++) {
-        s->weights[i] = row_real(r, at++);
-    }
-    return at;
 }
 
 static bool are(const row *r, const et_vec3 *S, size_t n)
@@ -574,7 +456,7 @@ verdict gold_surface_point(const row *r)
 {
     et_surface s;
     size_t at = read_surface(r, &s);
-    et_vec3 S = point(&s, row_real(r, at), row_real(r, at + 1));
+    et_vec3 S = surface_at(&s, row_real(r, at), row_real(r, at + 1));
     bool ok = at > 0 && are(r, &S, 1);
     et_surface_free(&s);
     return ok ? PASS : FAIL;
@@ -586,7 +468,7 @@ verdict gold_surface_ders(const row *r)
     et_surface s;
     et_vec3 D[6];
     size_t at = read_surface(r, &s), k = row_size(r, at);
-    double *work = room(&s);
+    double *work = surface_room(&s);
     et_surface_ders(D, &s, row_real(r, at + 1), row_real(r, at + 2), work, et_surface_work(&s));
     bool ok = at > 0 && k < 6 && are(r, &D[k], 1);
     free(work);
@@ -601,7 +483,7 @@ verdict gold_surface_points(const row *r)
     static et_vec3 S[POINTS];
     et_surface s;
     size_t at = read_surface(r, &s), n = row_size(r, at++);
-    double *work = room(&s);
+    double *work = surface_room(&s);
     for (size_t k = 0; k < POINTS; k++) {
         u[k] = row_real(r, at + 2 * (k % n));
         v[k] = row_real(r, at + 2 * (k % n) + 1);
