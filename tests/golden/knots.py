@@ -1,6 +1,11 @@
-"""Golden rows of spline/knots: by comparing doubles exactly."""
+"""Golden rows of spline/knots: by comparing doubles exactly; Greville points in rationals.
+
+Arguments: degree, knots; then for spans the parameter, for spans from a side the parameter and 0 (right) or 1 (left), for multiplicities the parameter.
+"""
+from fractions import Fraction as F
+
 from knots_of import BASES, after, families, high_degrees, least, valid
-from rational import Choices, head, row, span
+from rational import Choices, bound_of, gamma, head, row, span
 
 MIN, MAX = 2.0**-1022, 1.7976931348623157e308
 inf, nan = float("inf"), float("nan")
@@ -90,3 +95,33 @@ for p, u, why in families(c, 8, 5):
         row("knots_valid", "exact", what + ", from " + why, [p] + bad, [valid(bad, p)])
         if valid(bad, p):
             row("knots_clamped", "exact", what + ", from " + why, [p] + bad, [is_clamped(bad, p)])
+
+
+def left_span(u, p, x):
+    """The last span that is not empty and begins before x, or else the first."""
+    some = [k for k in range(p, len(u) - p - 1) if u[k] < u[k + 1]]
+    return max([k for k in some if u[k] < x] or some[:1])
+
+
+def greville_row(p, u, why):
+    points, bound = [], F(0)
+    for i in range(len(u) - p - 1):
+        some = [F(t) for t in (u[i + 1:i + p + 1] if p else u[i:i + 2])]
+        points.append(sum(some) / len(some))
+        bound = max(bound, gamma(p + 1 if p else 3) * (points[-1] - some[0]) + abs(points[-1]) / 2**53 + F(p + 2, 2**1075))
+    row("knots_greville", "abs " + bound_of(bound * (1 + F(1, 2**40))), why, [p] + u, points)
+
+
+c = Choices(19)
+for n, (p, u, why) in enumerate(list(families(c, 4, 9)) + [x for p in range(1, 4) for x in least(p)] + list(high_degrees(c))[::3] + BASES):
+    greville_row(p, u, why)
+    for where, x in spots(c, u, p):
+        if x - x == 0:
+            row("knots_span_side", "exact", why + ", " + where, [p] + u + [x, 1], [left_span(u, p, x)])
+            if n % 4 == 0:
+                row("knots_span_side", "exact", why + ", " + where, [p] + u + [x, 0], [span(u, p, x)])
+            if n % 2 == 0:
+                row("knots_multiplicity", "exact", why + ", " + where, [p] + u + [x], [sum(t == x for t in u)])
+greville_row(0, [-MAX / 2, 0.0, MAX / 2], "extreme scale, degree 0")
+greville_row(25, [0.875 * MAX] * 26 + [MAX] * 26, "extreme scale, a sum that overflows")
+greville_row(3, [0.1] * 4 + [0.7] * 4, "repeated knots, 3 x / 3")
