@@ -3,7 +3,7 @@
 #define TESTS_IO_RAW_H
 #include "etalon/base/status.h"
 #include "gen.h"
-#include "some_shell.h"
+#include "io/some_shell.h"
 #include <stdlib.h>
 
 enum { RAW_MOST = 1 << 14, RAW_PATH = 256 };
