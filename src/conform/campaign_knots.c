@@ -186,7 +186,7 @@ campaign_basis campaign_knots(campaign_maker *m, size_t axis, size_t p, size_t s
     if (m->category == ET_CATEGORY_END_OF_DOMAIN && kind == 7 && !m->smooth && m->layout->times < 0 && axis == 0) {
         unclamp(&b);
     }
-    if (m->category == ET_CATEGORY_NEAR_KNOTS) {
+    if (m->category == ET_CATEGORY_NEAR_KNOTS && campaign_kind(m, 4) == 3) {
         signs(&b);
     }
     return b;
