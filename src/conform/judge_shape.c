@@ -1,0 +1,517 @@
+/* judge_shape: the verdict of replies that are curves and surfaces. */
+#include "conform/judge_parts.h"
+#include "etalon/base/real.h"
+#include "etalon/base/size.h"
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void wrong(et_judgement *j, double got, double want, const char *what)
+{
+    j->got = got;
+    j->want = want;
+    j->ratio = INFINITY;
+    judge_say(j, ET_VERDICT_WRONG, "%s is %.17g, should be %.17g", what, got, want);
+}
+
+/* 1 if the numbers from `at` on are one curve or surface and nothing else; ET_ENOMEM. */
+static et_status read_shape(judge_shape *f, const et_reply *reply, size_t at, int curve)
+{
+    memset(f, 0, sizeof *f);
+    f->curve = curve;
+    et_status status = curve ? et_reply_get_curve(&f->c, &at, reply) : et_reply_get_surface(&f->s, &at, reply);
+    if (status == ET_OK && at != reply->count) {
+        judge_shape_free(f);
+        status = ET_EFORMAT;
+    }
+    return status;
+}
+
+static et_status put_shape(et_reply *reply, const judge_shape *f)
+{
+    return f->curve ? et_reply_put_curve(reply, &f->c) : et_reply_put_surface(reply, &f->s);
+}
+
+static double **weights_of(judge_shape *f)
+{
+    return f->curve ? &f->c.weights : &f->s.weights;
+}
+
+/* Degrees and sizes; 1 if they are the same. */
+static int same_sizes(et_judgement *j, const judge_shape *got, const judge_shape *want)
+{
+    const size_t g[4] = { got->curve ? got->c.p : got->s.p, got->s.q, got->curve ? got->c.n : got->s.nu, got->s.nv };
+    const size_t w[4] = { want->curve ? want->c.p : want->s.p, want->s.q, want->curve ? want->c.n : want->s.nu, want->s.nv };
+    static const char *const names[4] = { "the degree", "the degree in v", "the number of control points", "the number of control points in v" };
+
+    for (size_t k = 0; k < 4; k++)
+        if (g[k] != w[k]) {
+            wrong(j, (double)g[k], (double)w[k], names[k]);
+            return 0;
+        }
+    return 1;
+}
+
+/* The factor that weights have in common beside those wanted, by the greatest. */
+static double common_factor(const double *got, const double *want, size_t n)
+{
+    size_t greatest = 0;
+
+    for (size_t i = 1; i < n; i++)
+        if (want[i] > want[greatest])
+            greatest = i;
+    const double f = got[greatest] / want[greatest];
+    return f > 0 && isfinite(f) ? f : 1;
+}
+
+/* The same weights, or all equal and none. */
+static et_status match_weights(judge_shape *got, const judge_shape *want, double tolerance)
+{
+    const size_t n = judge_shape_size(want);
+    double **w = weights_of(got);
+    const double *wanted = judge_shape_weights(want);
+
+    if (wanted && !*w) {
+        *w = et_size_array(n, sizeof **w);
+        for (size_t i = 0; *w && i < n; i++)
+            (*w)[i] = 1;
+        if (!*w)
+            return ET_ENOMEM;
+    }
+    if (wanted) {
+        const double f = common_factor(*w, wanted, n);
+        for (size_t i = 0; f != 1 && i < n; i++)
+            (*w)[i] /= f;
+        return ET_OK;
+    }
+    for (size_t i = 0; *w && i < n; i++)
+        if (!((*w)[i] > 0 && isfinite((*w)[0]) && fabs((*w)[i] / (*w)[0] - 1) <= tolerance))
+            return ET_EFORMAT;
+    free(*w);
+    *w = NULL;
+    return ET_OK;
+}
+
+/* got becomes a reply in the order of want. */
+static et_status compare_shapes(et_judgement *j, const et_request *request, const et_truth *truth, judge_shape *got, const judge_shape *want, size_t ahead)
+{
+    et_reply aligned = { ET_REPLY_OK, 0, NULL, "" };
+    judge_shape f;
+    judge_editing e;
+    et_status status = judge_edit_of(&f, &e, request);
+
+    if (status == ET_OK)
+        status = match_weights(got, want, 2 * judge_edit_k(&f, &e) * ET_UNIT);
+    if (status == ET_EFORMAT) {
+        j->ratio = INFINITY;
+        judge_say(j, ET_VERDICT_WRONG, "weights of a polynomial that are not all equal");
+        return ET_OK;
+    }
+    if (status == ET_OK)
+        status = et_reply_put(&aligned, truth->want, ahead);
+    if (status == ET_OK)
+        status = put_shape(&aligned, got);
+    if (status == ET_OK && aligned.count == truth->count)
+        judge_compare(j, request, aligned.x, truth->want, truth->bound, truth->count);
+    et_reply_free(&aligned);
+    return status;
+}
+
+/* The wanted numbers as the curve or surface that they are. */
+static et_status wanted_shape(judge_shape *f, const et_truth *truth, size_t at, int curve)
+{
+    const et_reply want = { ET_REPLY_OK, truth->count, truth->want, "" };
+    const et_status status = read_shape(f, &want, at, curve);
+
+    return status == ET_EFORMAT ? ET_EINVAL : status;
+}
+
+static et_status no_shape(et_judgement *j, const et_reply *reply, et_status status)
+{
+    if (status == ET_EFORMAT) {
+        j->ratio = INFINITY;
+        judge_say(j, ET_VERDICT_WRONG, "%zu numbers that are not what was asked for", reply->count);
+        status = ET_OK;
+    }
+    return status;
+}
+
+et_status judge_edit(et_judgement *j, const et_request *request, const et_truth *truth, const et_reply *reply)
+{
+    const int curve = request->op == ET_OP_CURVE_INSERT || request->op == ET_OP_CURVE_ELEVATE;
+    judge_shape got, want;
+    et_status status = wanted_shape(&want, truth, 0, curve);
+
+    if (status != ET_OK)
+        return status;
+    status = read_shape(&got, reply, 0, curve);
+    if (status == ET_OK) {
+        if (same_sizes(j, &got, &want))
+            status = compare_shapes(j, request, truth, &got, &want, 0);
+        judge_shape_free(&got);
+    } else {
+        status = no_shape(j, reply, status);
+    }
+    judge_shape_free(&want);
+    return status;
+}
+
+/* ---- removal ---- */
+
+typedef struct {
+    judge_shape f;                        /* the original, in the request's memory */
+    judge_editing e;
+    const double *u;                      /* its knots in the direction */
+    size_t p, nu, n, t;
+    double allowed, slack;                /* tol + K u max |c|, and K u max |c| */
+} removal;
+
+static et_status removal_of(removal *r, const et_request *request)
+{
+    const et_status status = judge_edit_of(&r->f, &r->e, request);
+    double most = 0;
+
+    if (status != ET_OK)
+        return status;
+    const int v = !r->f.curve && r->e.along == ET_ALONG_V;
+    r->u = r->f.curve ? r->f.c.u : v ? r->f.s.v : r->f.s.u;
+    r->p = r->f.curve ? r->f.c.p : v ? r->f.s.q : r->f.s.p;
+    r->n = r->f.curve ? r->f.c.n : v ? r->f.s.nv : r->f.s.nu;
+    r->nu = r->n + r->p + 1;
+    for (size_t i = 0; i < judge_shape_size(&r->f); i++)
+        for (size_t c = 0; c < 3; c++)
+            most = fmax(most, fabs(judge_coordinate(&judge_shape_points(&r->f)[i], c)));
+    r->slack = judge_edit_k(&r->f, &r->e) * ET_UNIT * most;
+    r->allowed = r->e.tolerance + r->slack;
+    return ET_OK;
+}
+
+/* t and what knots are left; 1 if all is as it must be. */
+static int knots_left(et_judgement *j, const removal *r, const judge_shape *got, size_t least)
+{
+    const int v = !r->f.curve && r->e.along == ET_ALONG_V;
+    const double *u = got->curve ? got->c.u : v ? got->s.v : got->s.u;
+    judge_shape want = r->f;
+    size_t multiplicity = 0, skipped = 0;
+
+    for (size_t i = 0; i < r->nu; i++)
+        multiplicity += r->u[i] == r->e.x;
+    if (r->t < least || r->t > r->e.r || r->t > multiplicity) {
+        wrong(j, (double)r->t, (double)(r->t < least ? least : r->e.r < multiplicity ? r->e.r : multiplicity),
+              r->t < least ? "t, the least that is possible without any change," : "t");
+        return 0;
+    }
+    *(got->curve ? &want.c.n : v ? &want.s.nv : &want.s.nu) -= r->t;
+    if (!same_sizes(j, got, &want))
+        return 0;
+    for (size_t i = 0; i + r->t < r->nu; i++) {
+        while (skipped < r->t && r->u[i + skipped] == r->e.x)
+            skipped++;
+        if (u[i] != r->u[i + skipped]) {
+            wrong(j, u[i], r->u[i + skipped], "a knot");
+            return 0;
+        }
+    }
+    const double *across = got->curve ? NULL : v ? got->s.u : got->s.v, *kept = got->curve ? NULL : v ? r->f.s.u : r->f.s.v;
+    const size_t n = got->curve ? 0 : v ? r->f.s.nu + r->f.s.p + 1 : r->f.s.nv + r->f.s.q + 1;
+    for (size_t i = 0; i < n; i++)
+        if (across[i] != kept[i]) {
+            wrong(j, across[i], kept[i], "a knot");
+            return 0;
+        }
+    return 1;
+}
+
+/* Not finite, or a weight that is not positive. */
+static int usable(et_judgement *j, const judge_shape *got)
+{
+    const size_t n = judge_shape_size(got);
+    const double *w = judge_shape_weights(got);
+
+    if (!et_vec3_finite(judge_shape_points(got), n)) {
+        judge_say(j, ET_VERDICT_NON_FINITE, "a control point is not finite");
+        return 0;
+    }
+    for (size_t i = 0; w && i < n; i++)
+        if (!(w[i] > 0 && isfinite(w[i]))) {
+            judge_say(j, isfinite(w[i]) ? ET_VERDICT_WRONG : ET_VERDICT_NON_FINITE, "weight %zu is %g", i, w[i]);
+            j->ratio = INFINITY;
+            return 0;
+        }
+    return 1;
+}
+
+static double box(const judge_shape *f)
+{
+    double side[3];
+
+    for (size_t c = 0; c < 3; c++) {
+        double lo = INFINITY, hi = -INFINITY;
+        for (size_t i = 0; i < judge_shape_size(f); i++) {
+            lo = fmin(lo, judge_coordinate(&judge_shape_points(f)[i], c));
+            hi = fmax(hi, judge_coordinate(&judge_shape_points(f)[i], c));
+        }
+        side[c] = hi - lo;
+    }
+    return judge_length(side);
+}
+
+/* The knot put back, exactly: no point has moved further than a control point, weights apart. */
+static et_status moved_at_most(double *most, const removal *r, const judge_shape *got)
+{
+    judge_shape back = { .curve = got->curve };
+    const double *w = judge_shape_weights(&r->f);
+    const et_status status = got->curve ? et_exact_curve_insert(&back.c, &got->c, r->e.x, r->t)
+                                        : et_exact_surface_insert(&back.s, &got->s, r->e.along, r->e.x, r->t);
+    double off = 0, worst = 0;
+
+    *most = INFINITY;
+    if (status != ET_OK)
+        return status == ET_ENOMEM ? status : ET_OK;
+    const size_t n = judge_shape_size(&r->f);
+    const double *b = judge_shape_weights(&back);
+    size_t heaviest = 0;
+    for (size_t i = 0; w && i < n; i++)
+        heaviest = w[i] > w[heaviest] ? i : heaviest;
+    const double f = (b ? b[heaviest] : 1) / (w ? w[heaviest] : 1);
+    for (size_t i = 0; i < n; i++) {
+        worst = fmax(worst, et_vec3_distance(judge_shape_points(&back)[i], judge_shape_points(&r->f)[i]));
+        off = fmax(off, fabs((b ? b[i] : 1) / (f * (w ? w[i] : 1)) - 1));
+    }
+    *most = worst + 2 * off * box(&r->f);
+    judge_shape_free(&back);
+    return ET_OK;
+}
+
+/* Two points, correctly rounded: how far they are apart. */
+static et_status apart(double *distance, const judge_shape *a, const judge_shape *b, const double x[2], const int left[2])
+{
+    et_vec3 A, B;
+    const et_side s[2] = { left[0] ? ET_SIDE_LEFT : ET_SIDE_RIGHT, left[1] ? ET_SIDE_LEFT : ET_SIDE_RIGHT };
+    et_status status = a->curve ? et_exact_curve_ders_side(&A, 0, &a->c, x[0], s[0]) : et_exact_surface_partials(&A, 0, &a->s, x[0], x[1], s[0], s[1]);
+
+    if (status == ET_OK)
+        status = b->curve ? et_exact_curve_ders_side(&B, 0, &b->c, x[0], s[0]) : et_exact_surface_partials(&B, 0, &b->s, x[0], x[1], s[0], s[1]);
+    if (status == ET_OK)
+        *distance = et_exact_vec3_distance(A, B);
+    return status;
+}
+
+/* Sample i of a span [a,b]: 0 its left end, from inside, 2p + 2 its right end. */
+static double sample(int *left, double a, double b, size_t i, size_t p)
+{
+    *left = i == 2 * p + 2;
+    return i == 0 ? a : *left ? b : a + (b - a) * ((double)i / (double)(2 * p + 2));
+}
+
+/* Samples across, in all spans; a curve has one. */
+static et_status apart_across(double *most, const removal *r, const judge_shape *got, double x, int left)
+{
+    const int v = !r->f.curve && r->e.along == ET_ALONG_V;
+    const double *t = r->f.curve ? NULL : v ? r->f.s.u : r->f.s.v;
+    const size_t q = r->f.curve ? 0 : v ? r->f.s.p : r->f.s.q, n = r->f.curve ? 1 : v ? r->f.s.nu : r->f.s.nv;
+    et_status status = ET_OK;
+
+    for (size_t k = q; status == ET_OK && k < n; k++)
+        for (size_t i = 0; status == ET_OK && i <= (t ? 2 * q + 2 : 0); i++) {
+            int side[2] = { left, 0 };
+            double at[2] = { x, 0 }, d = 0;
+            if (t && !(t[k] < t[k + 1]))
+                continue;
+            if (t)
+                at[1] = sample(&side[1], t[k], t[k + 1], i, q);
+            if (v) {
+                const double y = at[0];
+                at[0] = at[1];
+                at[1] = y;
+                side[0] = side[1];
+                side[1] = left;
+            }
+            status = apart(&d, &r->f, got, at, side);
+            *most = fmax(*most, d);
+        }
+    return status;
+}
+
+/* The greatest distance seen at samples of the spans that removal touches. */
+static et_status moved_at_least(double *most, const removal *r, const judge_shape *got)
+{
+    et_status status = ET_OK;
+
+    *most = 0;
+    for (size_t k = r->p; status == ET_OK && k < r->n; k++) {
+        const size_t before = k > r->p ? k - r->p : 0, behind = k + 1 + r->p < r->nu ? k + 1 + r->p : r->nu - 1;
+        if (!(r->u[k] < r->u[k + 1]) || r->u[before] > r->e.x || r->u[behind] < r->e.x)
+            continue;
+        for (size_t i = 0; status == ET_OK && i <= 2 * r->p + 2; i++) {
+            int left;
+            const double x = sample(&left, r->u[k], r->u[k + 1], i, r->p);
+            status = apart_across(most, r, got, x, left);
+        }
+    }
+    return status == ET_ENOMEM ? status : ET_OK;
+}
+
+static et_status proofs(et_judgement *j, const removal *r, const judge_shape *got)
+{
+    double most, least;
+    et_status status = moved_at_most(&most, r, got);
+
+    j->bound = r->allowed;
+    if (status != ET_OK)
+        return status;
+    j->verdict = ET_VERDICT_WITHIN_BOUND;
+    if (most <= r->allowed) {
+        j->ratio = most > 0 ? most / r->allowed : 0;
+        return ET_OK;
+    }
+    status = moved_at_least(&least, r, got);
+    if (status != ET_OK)
+        return status;
+    j->ratio = 1;
+    if (least > r->allowed + r->slack) {
+        j->ratio = (least - r->e.tolerance) / r->slack;
+        j->got = least;
+        judge_say(j, j->ratio <= 0x1p20 ? ET_VERDICT_INACCURATE : ET_VERDICT_WRONG, "after removal a point is %.6g away, allowed are %.6g", least, r->allowed);
+    }
+    return ET_OK;
+}
+
+/* Whether it is, to the bit, the exact result. */
+static int equals_want(const et_truth *truth, const et_reply *reply)
+{
+    if (reply->count != truth->count)
+        return 0;
+    for (size_t i = 0; i < truth->count; i++)
+        if (reply->x[i] != truth->want[i])
+            return 0;
+    return 1;
+}
+
+et_status judge_removal(et_judgement *j, const et_request *request, const et_truth *truth, const et_reply *reply)
+{
+    removal r = { .t = 0 };
+    judge_shape got;
+    et_status status = removal_of(&r, request);
+
+    j->verdict = ET_VERDICT_CORRECTLY_ROUNDED;
+    if (status != ET_OK || equals_want(truth, reply))
+        return status;
+    const double t = reply->count > 0 ? reply->x[0] : -1;
+    if (!(t >= 0 && t <= 0x1p31 && floor(t) == t))
+        return no_shape(j, reply, ET_EFORMAT);
+    r.t = (size_t)t;
+    status = read_shape(&got, reply, 1, r.f.curve);
+    if (status != ET_OK)
+        return no_shape(j, reply, status);
+    if (knots_left(j, &r, &got, (size_t)truth->want[0]) && usable(j, &got))
+        status = proofs(j, &r, &got);
+    judge_shape_free(&got);
+    return status;
+}
+
+/* ---- nearest points, approximations ---- */
+
+/* The distance at the parameters, from the sides where it is least. */
+static et_status distance_at(double *distance, const et_request *request, const double x[2])
+{
+    const int curve = request->op == ET_OP_CURVE_NEAREST;
+    const et_vec3 *P = (const et_vec3 *)request->arg[curve ? 4 : 6].x;
+    et_curve c;
+    et_surface s;
+    et_status status = curve ? et_request_curve(&c, request, 0) : et_request_surface(&s, request, 0);
+
+    *distance = INFINITY;
+    for (int side = 0; status == ET_OK && side < (curve ? 2 : 4); side++) {
+        const et_side u = side & 1 ? ET_SIDE_LEFT : ET_SIDE_RIGHT, v = side & 2 ? ET_SIDE_LEFT : ET_SIDE_RIGHT;
+        et_vec3 C;
+        status = curve ? et_exact_curve_ders_side(&C, 0, &c, x[0], u) : et_exact_surface_partials(&C, 0, &s, x[0], x[1], u, v);
+        if (status == ET_OK)
+            *distance = fmin(*distance, et_exact_vec3_distance(C, *P));
+    }
+    return status;
+}
+
+static int in_domain(et_judgement *j, const et_request *request, const double *x)
+{
+    const int curve = request->op == ET_OP_CURVE_NEAREST;
+
+    for (size_t k = 0; k < (curve ? 1u : 2u); k++) {
+        const et_request_value *u = &request->arg[(curve ? 1 : 2) + k];
+        const size_t p = request->arg[k].count;
+        j->at = k;
+        if (!isfinite(x[k])) {
+            judge_say(j, ET_VERDICT_NON_FINITE, "the parameter is %a", x[k]);
+            return 0;
+        }
+        if (!(u->x[p] <= x[k] && x[k] <= u->x[u->count - p - 1])) {
+            j->got = x[k];
+            j->ratio = INFINITY;
+            judge_say(j, ET_VERDICT_WRONG, "the parameter %a (%.17g) is outside the domain", x[k], x[k]);
+            return 0;
+        }
+    }
+    return 1;
+}
+
+et_status judge_nearest(et_judgement *j, const et_request *request, const et_truth *truth, const et_reply *reply)
+{
+    const size_t n = truth->count - 1;
+    const double least = truth->want[n];
+    double here, own;
+
+    if (reply->count != truth->count) {
+        judge_say(j, ET_VERDICT_WRONG, "%zu numbers instead of %zu", reply->count, truth->count);
+        j->ratio = INFINITY;
+        return ET_OK;
+    }
+    if (!in_domain(j, request, reply->x))
+        return ET_OK;
+    const double got = reply->x[n];
+    const et_status status = distance_at(&here, request, reply->x);
+    if (status != ET_OK)
+        return status;
+    judge_nearest_bound(&own, request, least);
+    const double off = here > least ? (here - least) / truth->bound[n] : 0, false_by = got == here ? 0 : fabs(got - here) / judge_bound(here, own);
+    j->at = n;
+    j->got = got;
+    j->want = least;
+    j->bound = truth->bound[n];
+    j->ratio = fmax(off, false_by);
+    j->verdict = !isfinite(got)                 ? ET_VERDICT_NON_FINITE
+               : got == here && here <= least   ? ET_VERDICT_CORRECTLY_ROUNDED
+               : j->ratio <= 1                  ? ET_VERDICT_WITHIN_BOUND
+               : j->ratio <= 0x1p20             ? ET_VERDICT_INACCURATE
+                                                : ET_VERDICT_WRONG;
+    if (!isfinite(got))
+        judge_say(j, j->verdict, "the distance is %a, should be %a (%.17g)", got, least, least);
+    else if (et_judge_bad(j->verdict) && false_by > off)
+        judge_say(j, j->verdict, "the distance is said to be %a, at that parameter it is %a (%.17g instead of %.17g): %.3g bounds off", got, here, got, here,
+                  j->ratio);
+    else if (et_judge_bad(j->verdict))
+        judge_say(j, j->verdict, "a point %a (%.17g) away, the nearest is %a (%.17g): %.3g bounds off", here, here, least, least, j->ratio);
+    return ET_OK;
+}
+
+/* A surface of the sizes asked for, over [0,1]^2. */
+et_status judge_approximate(et_judgement *j, const et_request *request, const et_reply *reply)
+{
+    const et_request_value *a = request->arg;
+    judge_shape got, want;
+    const et_status status = read_shape(&got, reply, 0, 0);
+
+    if (status != ET_OK)
+        return no_shape(j, reply, status);
+    memset(&want, 0, sizeof want);
+    want.s = (et_surface){ a[0].count, a[1].count, a[2].count, a[3].count, NULL, NULL, NULL, NULL };
+    const et_surface *s = &got.s;
+    j->verdict = ET_VERDICT_WITHIN_BOUND;
+    if (same_sizes(j, &got, &want) && usable(j, &got)
+        && (!et_surface_valid(s) || s->u[s->p] != 0 || s->v[s->q] != 0 || s->u[s->nu] != 1 || s->v[s->nv] != 1)) {
+        j->ratio = INFINITY;
+        judge_say(j, ET_VERDICT_WRONG, "the knots are not those of a surface over [0,1]^2");
+    }
+    judge_shape_free(&got);
+    return ET_OK;
+}
