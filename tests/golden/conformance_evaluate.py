@@ -397,18 +397,15 @@ def surface_value(op, category, s, x, y, side_u="any", side_v="any", d=None, iss
     if usable:
         at = (place_kind(s.u, s.p, x), place_kind(s.v, s.q, y))
         kind = worse(kind, *at, DEFINED if s.p * s.q == 0 and d is not None else VALID)
-        ju, jv = VALID == at[0] and jumps(s.u, s.p, x), VALID == at[1] and jumps(s.v, s.q, y)
-        if side_u == side_v == "any" and ju and jv:
-            side_v = "right"
+        jump = at == (VALID, VALID) and (("any" == side_u and jumps(s.u, s.p, x)) or ("any" == side_v and jumps(s.v, s.q, y)))
     args = [s.args(), x, y, side_u, side_v] + ([] if d is None else [d])
     if not usable or not sure(kind, s.u, s.v, w=s.w) or at != (VALID, VALID):
         op.add(category, args, kind, issue=issue, comment=comment)
         return
 
     def compute(side):
-        return quotient(s.orders(x, y, d or 0, side if side_u == "any" and ju else side_u, side if side_v == "any" and jv else side_v), bool(s.w))
-    result = one_sided(compute, "any", (side_u == "any" and ju) or (side_v == "any" and jv))
-    give(op, category, args, kind, result, issue, comment)
+        return quotient(s.orders(x, y, d or 0, side if side_u == "any" else side_u, side if side_v == "any" else side_v), bool(s.w))
+    give(op, category, args, kind, one_sided(compute, "any", jump), issue, comment)
 
 
 def each_surface(c, go, rounds, least_degree, sided=True):
@@ -432,7 +429,7 @@ def each_surface(c, go, rounds, least_degree, sided=True):
                 n, m = repeated_knots(c, p), repeated_knots(c, q)
                 one = surface(c, p, n, q, m)
                 x, y = at_knot(c, n, p), at_knot(c, m, q)
-                for sides in (("any", "right"), ("left", "right"), ("right", "left"), ("left", "left")) if sided else (("any", "any"),):
+                for sides in (("any", "right"), ("any", "any"), ("right", "left"), ("left", "left")) if sided else (("any", "any"),):
                     go("repeated_knots", one, x, y, *sides)
             n = extreme_knots(c, p)
             go("extreme_scale", surface(c, p, n, q, v), inside(c, n, p), inside(c, v, q))
@@ -539,9 +536,9 @@ def surface_derivatives():
     return op
 
 
-def normal_of(s, x, y):
+def normal_of(s, x, y, side):
     """The correctly rounded normal and its (K, B); whether it can be told from none.  None where the cross product is 0 or something is out of range."""
-    D, E = divided(s.orders(x, y, 1, "right", "right"), bool(s.w))
+    D, E = divided(s.orders(x, y, 1, side, side), bool(s.w))
     if D is None:
         return None
     exact = cross(D[1, 0], D[0, 1])
@@ -583,20 +580,23 @@ def normal(op, category, s, x, y, issue=None, comment=None):
     if not sure(kind, s.u, s.v, w=s.w) or at != (VALID, VALID) or s.p * s.q == 0:
         op.add(category, args, kind, issue=issue, comment=comment)
         return
-    result = normal_of(s, x, y)
-    if result is None:
+    result = normal_of(s, x, y, "right")
+    other = normal_of(s, x, y, "left") if jumps(s.u, s.p, x) or jumps(s.v, s.q, y) else result
+    if result is None or other is None or (not result) != (not other):
         return
     if not result:
         op.add(category, args, worse(kind, DEFINED), issue=issue, comment=comment)
         return
     n, bound, told = result
-    op.add(category, args, kind if told else worse(kind, DEFINED), n, bound, issue=issue, comment=comment)
+    m, left_bound, left_told = other
+    more = {"left": m, "left_bound": left_bound} if m != n else {}
+    op.add(category, args, kind if told and (left_told or not more) else worse(kind, DEFINED), n, bound, issue=issue, comment=comment, **more)
 
 
 def normals():
     op = Operation("surface_normal")
     c = Choices(110)
-    each_surface(c, lambda category, s, x, y, a="any", b="any", **more: normal(op, category, s, x, y, **more), 4, 1, sided=False)
+    each_surface(c, lambda category, s, x, y, *_, **more: normal(op, category, s, x, y, **more), 4, 1, sided=False)
     for k in range(9):
         normal(op, "weights", hemisphere(), k / 9.0, 0.5, comment="an eighth of a sphere: the normal is the point")
         normal(op, "degenerate", hemisphere(), 1.0, k / 8.0, "PixarAnimationStudios/OpenSubdiv/issues/947", "the pole of a sphere: the cross product vanishes")
