@@ -234,7 +234,7 @@ static et_status attempt_draw(campaign_maker *m, et_category category, uint64_t 
     m->category = bad ? ET_CATEGORY_PLAIN : category;
     m->rational = m->hello->rational && (campaign_pick(m, 2) || category == ET_CATEGORY_WEIGHTS);
     m->unit = m->op == ET_OP_SEAM_GAP;
-    m->smooth = m->layout->data >= 0;
+    m->smooth = m->layout->data >= 0 || m->op == ET_OP_SEAM_GAP;
     m->exact = m->layout->tolerance >= 0 || category == ET_CATEGORY_EDITING;
     m->e_points = m->e_knots = 0;
     m->o_points = m->o_knots = 0.0;

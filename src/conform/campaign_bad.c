@@ -84,7 +84,8 @@ static int fewer_knots(campaign_maker *m, const campaign_axis *a)
 /* A point more or less than the knots say: of the net, or of the data. */
 static int other_number(campaign_maker *m, int k)
 {
-    return k >= 0 && resize(m, k, value(m, k)->count + (campaign_pick(m, 2) || value(m, k)->count == 1 ? 1 : (size_t)-1), 3);
+    /* Any number of points can be parameterised. */
+    return k >= 0 && m->op != ET_OP_PARAMETERS && resize(m, k, value(m, k)->count + (campaign_pick(m, 2) || value(m, k)->count == 1 ? 1 : (size_t)-1), 3);
 }
 
 static int bad_weight(campaign_maker *m, int net)
@@ -172,7 +173,7 @@ static int bad_counts(campaign_maker *m, size_t kind)
         } else if (kind % 4 == 1 && nx != UNIFORM) {
             campaign_count(m, 2, value(m, 3)->count + 1 > p ? value(m, 3)->count + 1 : n);       /* more control points than parameters */
         } else if (kind % 4 == 2) {
-            campaign_count(m, 1, 0);
+            return spoil_list(m, 3, 1);
         } else {
             return resize(m, 3, 1, 1);
         }

@@ -36,7 +36,7 @@ size_t campaign_degree(campaign_maker *m, size_t axis, size_t least, size_t most
     if (m->category == ET_CATEGORY_DEGREES && axis == m->number / 2 % 2 % (m->layout->axes > 1 ? 2 : 1)) {
         p = (size_t)(m->number * 7 % 26);          /* 0, 7, 14, 21, 2, ...: all in 26 cases */
     } else if (m->category == ET_CATEGORY_DEGREES) {
-        p = campaign_pick(m, 4);
+        p = 1 + campaign_pick(m, 3);
     }
     p = p > limit ? p % (limit + 1) : p;
     return p < least ? least : p;

@@ -216,7 +216,7 @@ static void draw_remove(campaign_maker *m, spline *s, size_t along)
         insert(m, s, along, x);
     }
     r = kind == 0 ? inserted : 1 + campaign_pick(m, times + inserted > 0 ? times + inserted : 1);
-    tolerance = kind == 3 ? 0x1p-20 * size : kind == 4 ? 0x1p40 * size : tolerance;
+    tolerance = kind == 3 ? 0x1p-20 * size : kind == 4 ? fmin(0x1p40 * size, 0x1p1020) : tolerance;
     if (m->o_points > 0.0 && kind != 4) {
         tolerance = 0x1p-10;
     }
@@ -347,7 +347,13 @@ void campaign_draw_seam(campaign_maker *m)
     const int shell = m->category == ET_CATEGORY_SEAM || campaign_pick(m, 2);
     campaign_basis b[4];
     for (size_t k = 0; k < 4; k++) {
-        b[k] = shell && k > 1 ? b[k - 2] : campaign_knots(m, k % 2, campaign_degree(m, k % 2, 1, 9), campaign_spans(m, k % 2));
+        b[k] = k > 1 ? b[k - 2] : campaign_knots(m, k, campaign_degree(m, k, 1, 9), campaign_spans(m, k));
+        if (k > 1 && !shell) {
+            b[k].u = campaign_array(m, b[k].nu);
+            for (size_t i = 0; i < b[k].nu; i++) {         /* other knots, as many */
+                b[k].u[i] = b[k - 2].u[i] * b[k - 2].u[i];
+            }
+        }
         campaign_put_basis(m, &l->axis[k], &b[k]);
     }
     const size_t nx = b[0].n, ny = b[1].n;
