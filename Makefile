@@ -5,6 +5,7 @@
 # make fuzz T=60 [F=NAME] [ENGINE=afl]   fuzz all properties, or one          make fuzz-min   what that found, into fuzz/corpus
 # make cover        line and branch coverage
 # make accuracy     bounds beside the worst errors seen    make bits    the same bits everywhere
+# make faults       no memory, no room on the disk     make conformance other libraries judged: docs/scoreboard.md
 # make bench        speed, as ratios to named peers      make install DESTDIR= PREFIX=/usr/local
 # make P=asan ...   the same under another profile: release, native, clang, debug, asan, fuzz, afl, cover
 
@@ -143,6 +144,13 @@ $(B)/accuracy: $(B)/tests/bench/accuracy.c.o $(B)/libetalon.a
 bits:
 	@sh tests/deps.sh $(PACKAGES_BITS) || echo "what needs them fails below"
 	@sh tests/bits.sh $(BUILD) $(PARTS)
+# Memory refused at every request, of the functions and of the command; a disk that is full at every write.
+WRAP := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=posix_memalign,--wrap=free
+$(B)/memory: $(B)/tests/faults/memory.c.o $(B)/libetalon.a
+	$(CC) $(CFLAGS) $(LDFLAGS) $(WRAP) -o $@ $^ $(LDLIBS)
+faults: $(B)/memory $(B)/etalon
+	@mkdir -p $(B)/faults
+	@$(SUM) '$(B)/memory $(B)/faults' 'sh tests/faults.sh $(B) $(B)/etalon $(or $(MOST),120)'
 left-out:
 	@printf '%s: in C++, or uses what is\n' $(sort $(patsubst src/cli/%,src/cli,$(LEFT_OUT)))
 $(B)/replay: $(B)/tests/bits/replay.c.o $(B)/libetalon.a
@@ -167,7 +175,7 @@ built: all $(B)/check
 check: deps-test
 	@$(SUM) '$(MAKE) -s $(J) built' '$(MAKE) -s $(J) P=clang built' '$(MAKE) -s $(J) P=asan built' \
 	  '$(MAKE) -s test' '$(MAKE) -s rows' '$(MAKE) -s within' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s contracts' '$(MAKE) -s audit' '$(MAKE) -s docs' \
-	  'sh tests/install.sh $(BUILD)' 'ET_RUNS=200 $(MAKE) -s P=clang test' 'ET_RUNS=200 $(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s judged' '$(MAKE) -s bits PARTS="native s390x fault"'
+	  'sh tests/install.sh $(BUILD)' 'ET_RUNS=200 $(MAKE) -s P=clang test' 'ET_RUNS=200 $(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s judged' '$(MAKE) -s faults MOST=12' '$(MAKE) -s bits PARTS="native s390x fault"'
 end-to-end: all
 	@$(SUM) $(foreach s,$(sort $(wildcard tests/cli/*.sh)),'sh $(s) $(B)/etalon')
 
@@ -244,4 +252,4 @@ uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/share/man/man1/etalon.1
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits fuzz fuzz-min cover built check end-to-end bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean
+.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits fuzz fuzz-min cover faults built check end-to-end bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean

@@ -64,6 +64,7 @@ et_status cli_pairs(size_t (*pairs)[2], size_t *count, size_t most, const char *
 /* ---- one run: progress, interruption, clocks ------------------------------------------------------------------------- */
 
 void cli_signals(void);                   /* SIGINT, SIGTERM ask to stop; a second one ends at once; SIGPIPE is an error code */
+void cli_memory(void);                    /* without memory for JSON the program ends, with exit code 70 and nothing half-written */
 int cli_stopped(void);
 void cli_end_at_once(void);               /* from here on the first signal ends the program: there is no best so far to save */
 void cli_on_end(void (*function)(void));  /* called (async-signal-safe) when a signal ends the program; null: nothing */

@@ -38,6 +38,7 @@ int main(int argc, char **argv)
     et_message message = { "" };
 
     cli_signals();
+    cli_memory();
     if (argc < 2) {
         usage(stderr);
         return 2;

@@ -53,32 +53,16 @@ static const char *shown(const char *path)
     return path && strcmp(path, "-") == 0 ? "standard input" : path;
 }
 
-/* The document in the stream.  The parser tells lack of memory as an error of syntax at times: what it finds wrong counts if it finds it twice, while
- * there is memory. */
-static json_t *parse(FILE *in, json_error_t *error, int *memory)
-{
-    json_t *document = json_loadf(in, JSON_REJECT_DUPLICATES, error);
-
-    if (!document) {
-        void *probe = malloc(sizeof *error);
-        *memory = probe != NULL && json_error_code(error) != json_error_out_of_memory;
-        free(probe);
-        if (*memory && !ferror(in) && fseek(in, 0, SEEK_SET) == 0)
-            document = json_loadf(in, JSON_REJECT_DUPLICATES, error);
-    }
-    return document;
-}
-
 /* The document of a file, of the wanted format and version. */
 static et_status load(const json_file_source *d, json_t **document, const char *path, const char *format)
 {
     json_error_t error;
-    int standard = strcmp(path, "-") == 0, memory = 1;
+    int standard = strcmp(path, "-") == 0;
     FILE *in = standard ? stdin : fopen(path, "rb");
     if (!in)
         return et_status_fail(d->message, errno == ENOMEM ? ET_ENOMEM : ET_EIO, "cannot read %s: %s", d->path, strerror(errno));
     errno = 0;
-    json_t *loaded = parse(in, &error, &memory);
+    json_t *loaded = json_loadf(in, JSON_REJECT_DUPLICATES, &error);
     int reason = errno, failed = ferror(in);
     if (!standard)
         (void)fclose(in);
@@ -86,7 +70,7 @@ static et_status load(const json_file_source *d, json_t **document, const char *
         json_decref(loaded);
         if (failed)
             return et_status_fail(d->message, ET_EIO, "cannot read %s: %s", d->path, reason ? strerror(reason) : "read error");
-        if (!memory || json_error_code(&error) == json_error_out_of_memory)
+        if (json_error_code(&error) == json_error_out_of_memory)
             return json_file_no_memory(d);
         return et_status_fail(d->message, ET_EFORMAT, "%s:%d: %s", d->path, error.line, error.text);
     }

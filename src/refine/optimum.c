@@ -55,7 +55,7 @@ typedef struct {
     size_t nov;
     optimum_model model;
     optimum_search search;
-    et_vec3 *start, *found;               /* control classes */
+    et_vec3 *came, *start, *found;        /* control classes: as the fit came, at the start of a round, at its end */
     double *y, *step;                     /* a second dual; control points' steps */
     et_optimum_result result;
     int proved;
@@ -68,6 +68,7 @@ static et_status acquire(job *k)
 
     if (status != ET_OK)
         return status;
+    k->came = et_size_array(n, sizeof *k->came);
     k->start = et_size_array(n, sizeof *k->start);
     k->found = et_size_array(n, sizeof *k->found);
     k->y = et_size_array(k->nov, 3 * sizeof(double));
@@ -76,12 +77,15 @@ static et_status acquire(job *k)
     k->search.y = et_size_array(k->nov, 3 * sizeof(double));
     k->search.x = et_size_array(k->model.m, 3 * sizeof(double));
     k->search.weight = et_size_array(k->nov, 6 * sizeof(double));
-    return k->start && k->found && k->y && k->step && k->search.D && k->search.y && k->search.x && k->search.weight ? ET_OK : ET_ENOMEM;
+    if (k->came)
+        et_shell_gather(k->came, n, &k->fit->shell);
+    return k->came && k->start && k->found && k->y && k->step && k->search.D && k->search.y && k->search.x && k->search.weight ? ET_OK : ET_ENOMEM;
 }
 
 static void release(job *k)
 {
     optimum_model_free(&k->model);
+    free(k->came);
     free(k->start);
     free(k->found);
     free(k->y);
@@ -228,8 +232,11 @@ et_status et_optimum_find(et_fit *fit, et_optimum_result *result, et_vec3 *dual,
     k.search.limit = o.iterations;
     k.search.tolerance = o.gap;
     status = acquire(&k);
-    if (status == ET_OK)
+    if (status == ET_OK) {
         status = run(&k);
+        if (status != ET_OK)
+            et_shell_scatter(&fit->shell, k.came, et_doublenet_nov(k.model.control));
+    }
     if (status == ET_OK) {
         *result = k.result;
         for (size_t c = 0; dual != NULL && c < nov; c++)

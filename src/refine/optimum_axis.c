@@ -234,22 +234,27 @@ static void unchange(optimum_axis *a)
     a->change = a->table = NULL;
 }
 
-/* T by Gram and Schmidt, twice for each column: the inner columns in turn, then the two at the ends against the inner ones.  How much T amplifies
- * is returned, 0 for no T: too many columns, or rounding has left nothing of one. */
-static double change(optimum_axis *a)
+/* T by Gram and Schmidt, twice for each column: the inner columns in turn, then the two at the ends against the inner ones.  *amplified: how much T
+ * amplifies, 0 for no T: too many columns, or rounding has left nothing of one.  ET_ENOMEM. */
+static et_status change(double *amplified, optimum_axis *a)
 {
     const size_t n = a->n, w = a->p + 1;
     int done = 1;
 
+    *amplified = 0;
     if (n > CHANGED || !a->keep[0] || !a->keep[n - 1])
-        return 0;
+        return ET_OK;
     a->change = et_size_array(n * n, sizeof *a->change);
     a->table = et_size_array(n, a->nt * sizeof *a->table);
-    for (size_t i = 0; i < a->nt && a->change && a->table; i++)
+    if (!a->change || !a->table) {
+        unchange(a);
+        return ET_ENOMEM;
+    }
+    for (size_t i = 0; i < a->nt; i++)
         for (size_t k = 0; k < w; k++)
             if (a->keep[a->first[i] + k])
                 a->table[i * n + a->first[i] + k] = a->value[i * w + k];
-    for (size_t step = 1; step <= n && a->change && a->table && done; step++) {
+    for (size_t step = 1; step <= n && done; step++) {
         const size_t j = step % n == n - 1 ? 0 : step == n ? n - 1 : step, last = j == 0 || j == n - 1 ? n - 1 : j;
 
         a->change[j * n + j] = 1;
@@ -258,22 +263,28 @@ static double change(optimum_axis *a)
                 part(a, j, k % last);
         done = !a->keep[j] || normalise(a, j);
     }
-    if (a->change && a->table && done)
-        return sqrt(product(a->change, a->change, n * n, 1));
-    unchange(a);
-    return 0;
+    if (done)
+        *amplified = sqrt(product(a->change, a->change, n * n, 1));
+    else
+        unchange(a);
+    return ET_OK;
 }
 
-int optimum_axis_change(optimum_axis *first, optimum_axis *second)
+et_status optimum_axis_change(int *which, optimum_axis *first, optimum_axis *second)
 {
-    const double u = change(first), v = change(second);
+    double u = 0, v = 0;
+    et_status status = change(&u, first);
 
-    if (u * v <= 64 * sqrt((double)(first->n * second->n))) {
+    if (status == ET_OK)
+        status = change(&v, second);
+    *which = -1;
+    if (status != ET_OK || u * v <= 64 * sqrt((double)(first->n * second->n))) {
         unchange(first);
         unchange(second);
-        return -1;
+        return status;
     }
     unchange(u > v ? second : first);
     optimum_ball_table(u > v ? first : second);
-    return u <= v;
+    *which = u <= v;
+    return ET_OK;
 }

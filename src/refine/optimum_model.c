@@ -124,7 +124,7 @@ static et_status leave_out(optimum_model *m)
 et_status optimum_model_new(optimum_model *model, const et_fit *fit)
 {
     const et_surface *const s = &fit->shell.view[ET_BOTTOM];
-    int changed, clamped;
+    int changed = -1, clamped;
     et_status status;
 
     memset(model, 0, sizeof *model);
@@ -141,8 +141,9 @@ et_status optimum_model_new(optimum_model *model, const et_fit *fit)
         optimum_axis_keep_all(&model->u);
         optimum_axis_keep_all(&model->v);
     }
-    changed = clamped ? optimum_axis_change(&model->u, &model->v) : -1;
-    status = allocate(model);
+    status = clamped ? optimum_axis_change(&changed, &model->u, &model->v) : ET_OK;
+    if (status == ET_OK)
+        status = allocate(model);
     if (status != ET_OK)
         return status;
     for (size_t c = 0; c < model->nov; c++)

@@ -45,8 +45,9 @@ void optimum_axis_free(optimum_axis *a);
 /* Whatever is not zero: where the ends see more than the first and the last control point, columns that depend on each other in one direction need not
  * do so in the net. */
 void optimum_axis_keep_all(optimum_axis *a);
-/* Of the two directions the one that is worse conditioned gets a better basis, if that is worth the while.  1: the second, 0: the first, -1: none. */
-int optimum_axis_change(optimum_axis *first, optimum_axis *second);
+/* Of the two directions the one that is worse conditioned gets a better basis, if that is worth the while.  *which 1: the second, 0: the first, -1: none.
+ * ET_ENOMEM: then none. */
+et_status optimum_axis_change(int *which, optimum_axis *first, optimum_axis *second);
 
 typedef struct {
     et_doublenet data, control;

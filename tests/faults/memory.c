@@ -1,0 +1,485 @@
+/* memory: each function that asks for memory is refused it at its first, second, ... request: then it has to say ET_ENOMEM, leave its outputs as they
+ * were and keep nothing.  Linked with --wrap, so that only the library's own requests count, not those of the libraries under it. */
+#include "etalon/conform/answer.h"
+#include "etalon/conform/campaign.h"
+#include "etalon/conform/judge.h"
+#include "etalon/base/real.h"
+#include "etalon/base/rng.h"
+#include "etalon/exact/exact.h"
+#include "etalon/fit/enclosure.h"
+#include "etalon/io/cloud.h"
+#include "etalon/io/iges.h"
+#include "etalon/io/json.h"
+#include "etalon/io/tessellation.h"
+#include "etalon/refine/de.h"
+#include "etalon/refine/ga.h"
+#include "etalon/refine/objective.h"
+#include "etalon/refine/optimum.h"
+#include "etalon/refine/pso.h"
+#include "etalon/refine/search.h"
+#include "etalon/som/som.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the wrapped calls -------------------------------------------------------------------------------------------------------- */
+
+enum { SLOTS = 1 << 16 };
+static void *held[SLOTS];                /* what the library holds; open addressing */
+static size_t requests, refuse_at, live;
+
+void *__real_malloc(size_t n);
+void *__real_calloc(size_t n, size_t size);
+void *__real_realloc(void *p, size_t n);
+int __real_posix_memalign(void **p, size_t align, size_t n);
+void __real_free(void *p);
+void *__wrap_malloc(size_t n);
+void *__wrap_calloc(size_t n, size_t size);
+void *__wrap_realloc(void *p, size_t n);
+int __wrap_posix_memalign(void **p, size_t align, size_t n);
+void __wrap_free(void *p);
+
+static size_t slot(const void *p)
+{
+    size_t k = ((size_t)p >> 4) % SLOTS;
+
+    while (held[k] && held[k] != p)
+        k = (k + 1) % SLOTS;
+    return k;
+}
+
+static void *hold(void *p)
+{
+    if (p) {
+        held[slot(p)] = p;
+        live++;
+    }
+    return p;
+}
+
+/* Those behind a freed place of the table move up. */
+static void let_go(void *p)
+{
+    size_t k = slot(p);
+
+    if (!p || !held[k])
+        return;
+    live--;
+    held[k] = NULL;
+    for (k = (k + 1) % SLOTS; held[k]; k = (k + 1) % SLOTS) {
+        void *q = held[k];
+        held[k] = NULL;
+        held[slot(q)] = q;
+    }
+}
+
+static int refused(void)
+{
+    return ++requests == refuse_at;
+}
+
+void *__wrap_malloc(size_t n)
+{
+    return refused() ? NULL : hold(__real_malloc(n));
+}
+
+void *__wrap_calloc(size_t n, size_t size)
+{
+    return refused() ? NULL : hold(__real_calloc(n, size));
+}
+
+void *__wrap_realloc(void *p, size_t n)
+{
+    void *q = refused() ? NULL : __real_realloc(p, n);
+
+    if (q) {
+        let_go(p);
+        hold(q);
+    }
+    return q;
+}
+
+int __wrap_posix_memalign(void **p, size_t align, size_t n)
+{
+    const int bad = refused() ? 12 : __real_posix_memalign(p, align, n);
+
+    if (!bad)
+        hold(*p);
+    return bad;
+}
+
+void __wrap_free(void *p)
+{
+    let_go(p);
+    __real_free(p);
+}
+
+/* ---- what the functions are given -------------------------------------------------------------------------------------------- */
+
+enum { SIDE = 6, NOV = 2 * (SIDE * SIDE - 2 * SIDE + 2), CLOUD = 300, ROOM = 1 << 16 };
+static const et_doublenet net = { SIDE, SIDE };
+static et_vec3 data[NOV], cloud[CLOUD], points[4096];
+static double reals[4096];
+static et_fit_options options;
+static const et_frame frame = { { 0, 0, 0 }, { 1, 1, 1 } };
+static et_fit fit, worked;               /* worked: what a function changes in place, a copy of fit */
+static et_curve arc;
+static et_surface sheet;
+static et_search search;
+static et_rng *rng;
+static et_request request;
+static et_reply reply;
+static char net_path[256], surface_path[256], cloud_path[256], out_path[256];
+
+static et_vec3 somewhere(void)
+{
+    et_vec3 p;
+
+    p.x = et_rng_uniform(rng);
+    p.y = et_rng_uniform(rng);
+    p.z = et_rng_uniform(rng);
+    return p;
+}
+
+/* Clamped, with the inner knots 1/4, 1/2, 1/2, 3/4: nu - 2p - 2 <= 4 of them. */
+static void some_knots(double *u, size_t nu, size_t p)
+{
+    static const double inner[] = { 0.25, 0.5, 0.5, 0.75 };
+
+    for (size_t k = 0; k < nu; k++)
+        u[k] = k <= p ? 0 : k + p + 1 >= nu ? 1 : inner[k - p - 1];
+}
+
+static int make_splines(void)
+{
+    if (et_curve_new(&arc, 3, 8, 1) != ET_OK || et_surface_new(&sheet, 2, 2, 6, 7, 1) != ET_OK)
+        return 0;
+    some_knots(arc.u, 12, 3);
+    some_knots(sheet.u, 9, 2);
+    some_knots(sheet.v, 10, 2);
+    for (size_t k = 0; k < 8; k++)
+        arc.points[k] = somewhere();
+    for (size_t k = 0; k < 42; k++)
+        sheet.points[k] = somewhere();
+    return et_curve_valid(&arc) && et_surface_valid(&sheet);
+}
+
+static et_status value(double *v, const double *x, size_t n, void *context)
+{
+    (void)context;
+    *v = et_real_sum(x, n);
+    return ET_OK;
+}
+
+static int make_all(const char *folder)
+{
+    et_net_file n;
+    et_surface_file s;
+    et_hello all = et_answer_hello(1);
+
+    options = et_fit_defaults();
+    options.control.nx = options.control.ny = 4;
+    options.p = options.q = 2;
+    options.approach = ET_FIT_JOINT;
+    snprintf(net_path, sizeof net_path, "%s/net.json", folder);
+    snprintf(surface_path, sizeof surface_path, "%s/surface.json", folder);
+    snprintf(cloud_path, sizeof cloud_path, "%s/cloud.ply", folder);
+    snprintf(out_path, sizeof out_path, "%s/out", folder);
+    if (et_rng_new(&rng, 1) != ET_OK || !make_splines())
+        return 0;
+    for (size_t k = 0; k < NOV; k++)
+        data[k] = somewhere();
+    for (size_t k = 0; k < CLOUD; k++)
+        cloud[k] = somewhere();
+    if (et_fit_make(&fit, data, NOV, net, &options, NULL) != ET_OK
+        || et_campaign_draw(&request, ET_OP_FIT_GRID, ET_CATEGORY_PLAIN, 1, 1, &all) != ET_OK || et_answer_exact(&reply, &request) != ET_OK)
+        return 0;
+    memset(&n, 0, sizeof n);
+    memset(&s, 0, sizeof s);
+    n.net = net;
+    n.weights = data;
+    n.frame.scale.x = n.frame.scale.y = n.frame.scale.z = 1;
+    n.options = et_som_defaults();
+    s.fit = fit;
+    s.options = options;
+    s.frame = n.frame;
+    return et_json_write_net(net_path, &n, NULL) == ET_OK && et_json_write_surface(surface_path, &s, NULL) == ET_OK
+           && et_cloud_write(cloud_path, cloud, CLOUD, ET_CLOUD_PLY_ASCII, NULL) == ET_OK;
+}
+
+/* ---- the calls: `out` is memory filled with a pattern, which a failure has to leave alone ------------------------------------ */
+
+static et_status curve_new(void *o) { return et_curve_new(o, 3, 8, 1); }
+static et_status curve_copy(void *o) { return et_curve_copy(o, &arc); }
+static et_status curve_insert(void *o) { return et_curve_insert(o, &arc, 0.375, 2); }
+static et_status curve_elevate(void *o) { return et_curve_elevate(o, &arc, 2); }
+static et_status surface_new(void *o) { return et_surface_new(o, 2, 2, 4, 5, 1); }
+static et_status surface_copy(void *o) { return et_surface_copy(o, &sheet); }
+static et_status surface_insert(void *o) { return et_surface_insert(o, &sheet, ET_ALONG_V, 0.375, 2); }
+static et_status surface_elevate(void *o) { return et_surface_elevate(o, &sheet, ET_ALONG_U, 1); }
+static et_status exact_curve_insert(void *o) { return et_exact_curve_insert(o, &arc, 0.375, 2); }
+static et_status exact_curve_elevate(void *o) { return et_exact_curve_elevate(o, &arc, 1); }
+static et_status exact_surface_insert(void *o) { return et_exact_surface_insert(o, &sheet, ET_ALONG_U, 0.375, 1); }
+static et_status exact_surface_elevate(void *o) { return et_exact_surface_elevate(o, &sheet, ET_ALONG_V, 1); }
+static void free_curve(void *o) { et_curve_free(o); }
+static void free_surface(void *o) { et_surface_free(o); }
+
+typedef struct { et_curve c; size_t removed; } curve_removal;
+typedef struct { et_surface s; size_t removed; } surface_removal;
+static et_status curve_remove(void *o) { curve_removal *r = o; return et_curve_remove(&r->c, &r->removed, &arc, 0.5, 2, 10); }
+static et_status surface_remove(void *o) { surface_removal *r = o; return et_surface_remove(&r->s, &r->removed, &sheet, ET_ALONG_U, 0.5, 2, 10); }
+static et_status exact_curve_remove(void *o) { curve_removal *r = o; return et_exact_curve_remove(&r->c, &r->removed, &arc, 0.5, 2); }
+static et_status exact_surface_remove(void *o) { surface_removal *r = o; return et_exact_surface_remove(&r->s, &r->removed, &sheet, ET_ALONG_V, 0.5, 2); }
+static void free_curve_removal(void *o) { et_curve_free(&((curve_removal *)o)->c); }
+static void free_surface_removal(void *o) { et_surface_free(&((surface_removal *)o)->s); }
+
+static et_status surface_grid(void *o) { return et_surface_grid(o, &sheet, arc.u, 12, arc.u, 12); }
+static et_status exact_surface_grid(void *o) { return et_exact_surface_grid(o, &sheet, arc.u, 4, arc.u, 4); }
+static et_status rng_new(void *o) { return et_rng_new(o, 7); }
+static void free_rng(void *o) { et_rng_free(*(et_rng **)o); }
+static et_status shell_new(void *o) { return et_shell_new(o, 2, 2, net, 1); }
+static et_status shell_copy(void *o) { return et_shell_copy(o, &fit.shell); }
+static void free_shell(void *o) { et_shell_free(o); }
+
+static et_status quality(void *o) { return et_quality_of(o, data, NOV, net, cloud, CLOUD); }
+static et_status exact_quality(void *o) { return et_exact_quality_of(o, data, NOV, net, cloud, 20, NULL); }
+
+static et_status fit_as(void *o, et_fit_approach approach, et_linalg_method algebra)
+{
+    et_fit_options with = options;
+
+    with.approach = approach;
+    with.algebra = algebra;
+    return et_fit_make(o, data, NOV, net, &with, NULL);
+}
+static et_status fit_conventional(void *o) { return fit_as(o, ET_FIT_CONVENTIONAL, ET_LINALG_QR); }
+static et_status fit_improved(void *o) { return fit_as(o, ET_FIT_IMPROVED, ET_LINALG_QR); }
+static et_status fit_joint(void *o) { return fit_as(o, ET_FIT_JOINT, ET_LINALG_QR); }
+static et_status fit_cholesky(void *o) { return fit_as(o, ET_FIT_JOINT, ET_LINALG_CHOLESKY); }
+static et_status fit_exact(void *o) { return et_exact_fit_make(o, data, NOV, net, &options, NULL, NULL, NULL); }
+static et_status fit_conventional_corners(void *o)
+{
+    et_fit_options with = options;
+
+    with.approach = ET_FIT_CONVENTIONAL;
+    with.corners = ET_CORNERS_INTERPOLATED;
+    return et_fit_make(o, data, NOV, net, &with, NULL);
+}
+static void free_fit(void *o) { et_fit_free(o); }
+static et_status fit_measure(void *o) { return et_fit_measure(o, reals, NOV, &fit, data); }
+static et_status exact_fit_measure(void *o) { return et_exact_fit_measure(o, reals, NOV, &fit, data, NULL); }
+static et_status seam_gap(void *o) { return et_seam_gap(o, &fit.shell, 3); }
+static et_status exact_seam_gap(void *o) { return et_exact_seam_gap(o, &fit.shell, 3); }
+static et_status enclosure_make(void *o) { return et_enclosure_make(o, &fit, data, NOV, &options, NULL); }
+static et_status enclosure_refine(void *o) { return et_enclosure_refine(&worked, o, data, NOV, &options, NULL); }
+static void free_enclosure(void *o) { et_enclosure_free(o); }
+static et_status param_grid(void *o)
+{
+    size_t *flat = o;
+
+    return et_param_grid(reals, SIDE, reals + SIDE, SIDE, flat, data, ET_PARAM_CHORD);
+}
+static et_status linalg_lsq(void *o)
+{
+    static const double A[] = { 1, 0, 1, 1, 1, 2, 1, 3 }, B[] = { 1, 2, 3, 5 };
+
+    return et_linalg_lsq(reals, o, A, 4, 2, B, 1, ET_LINALG_QR);
+}
+static et_status exact_fit_curve(void *o)
+{
+    static const double t[] = { 0, 0.1, 0.2, 0.4, 0.5, 0.5, 0.6, 0.7, 0.8, 0.9, 1 };
+
+    return et_exact_fit_curve(points, 8, o, arc.u, 12, 3, t, data, 11);
+}
+
+static et_status objective_new(void *o) { return et_objective_new(o, &fit, data, NOV); }
+static void free_objective(void *o) { et_objective_free(*(et_objective **)o); }
+static et_status search_start(void *o)
+{
+    const et_search_options s = et_search_defaults();
+    static const double x0[6] = { 0 };
+
+    return et_search_start(o, x0, 6, &s, 1, value, NULL, rng);
+}
+static void free_search(void *o) { et_search_free(o); }
+static et_status search_run(et_search_step step)
+{
+    size_t made;
+
+    return et_search_run(&search, &made, NULL, 2, step, rng, NULL);
+}
+static et_status ga_step(void *o) { (void)o; return search_run(et_ga_step); }
+static et_status de_step(void *o) { (void)o; return search_run(et_de_step); }
+static et_status pso_step(void *o) { (void)o; return search_run(et_pso_step); }
+static et_status optimum(void *o) { return et_optimum_find(&worked, o, points, NULL, 0, data, NOV, NULL, NULL, NULL); }
+static et_status optimum_bound(void *o) { return et_optimum_bound(o, data, NOV, &fit, data); }
+
+static et_status cloud_read(void *o) { return et_cloud_read(o, cloud_path, NULL); }
+static void free_cloud(void *o) { et_cloud_free(o); }
+static et_status cloud_write(void *o) { (void)o; return et_cloud_write(out_path, cloud, CLOUD, ET_CLOUD_XYZ, NULL); }
+static et_status net_read(void *o) { return et_json_read_net(o, net_path, NULL); }
+static void free_net(void *o) { et_json_free_net(o); }
+static et_status surface_read(void *o) { return et_json_read_surface(o, surface_path, NULL); }
+static void free_surface_file(void *o) { et_json_free_surface(o); }
+static et_status iges(void *o) { (void)o; return et_iges_write(out_path, &fit.shell, &frame, NULL); }
+static et_status tessellation(void *o) { return et_tessellation_of(o, &fit.shell, &frame, 5, 6); }
+static void free_tessellation(void *o) { et_tessellation_free(o); }
+
+static et_status request_copy(void *o) { return et_request_copy(o, &request); }
+static et_status request_new(void *o) { return et_request_new(o, ET_OP_SURFACE_ERROR); }
+static et_status request_print(void *o) { return et_request_print(o, &request); }
+static et_status request_parse(void *o)
+{
+    return et_request_parse(o, "fit_curve 1 4 0 0 1 1 3 0 0x1p-1 1 3 0 0 0 1 1 1 2 2 2", NULL);
+}
+static et_status reply_parse(void *o)
+{
+    uint64_t id;
+
+    return et_reply_parse(o, &id, "7 ok 1 2 3 4 0x1p-3 5 6 7 8 9 10 11 12 13 14 15 16 17", NULL);
+}
+static et_status reply_print(void *o) { return et_reply_print(o, 1, &reply); }
+static void free_request(void *o) { et_request_free(o); }
+static void free_reply(void *o) { et_reply_free(o); }
+static void free_text(void *o) { free(*(char **)o); }
+static et_status answer_fast(void *o) { return et_answer_fast(o, &request); }
+static et_status answer_exact(void *o) { return et_answer_exact(o, &request); }
+static et_status truth(void *o) { return et_judge_truth(o, &request); }
+static void free_truth(void *o) { et_judge_free(o); }
+static et_status draw(void *o)
+{
+    const et_hello all = et_answer_hello(1);
+
+    return et_campaign_draw(o, ET_OP_SURFACE_DERS, ET_CATEGORY_WEIGHTS, 3, 5, &all);
+}
+static et_status vary(void *o)
+{
+    const et_hello all = et_answer_hello(1);
+
+    return et_campaign_vary(o, &request, 3, 5, &all);
+}
+
+/* harmless: it may do without (a block that is not made smaller). */
+static const struct { const char *name; et_status (*call)(void *out); void (*release)(void *out); size_t size; int harmless; } calls[] = {
+    { "curve_new", curve_new, free_curve, sizeof(et_curve), 0 }, { "curve_copy", curve_copy, free_curve, sizeof(et_curve), 0 },
+    { "curve_insert", curve_insert, free_curve, sizeof(et_curve), 0 }, { "curve_elevate", curve_elevate, free_curve, sizeof(et_curve), 0 },
+    { "curve_remove", curve_remove, free_curve_removal, sizeof(curve_removal), 0 }, { "surface_new", surface_new, free_surface, sizeof(et_surface), 0 },
+    { "surface_copy", surface_copy, free_surface, sizeof(et_surface), 0 }, { "surface_insert", surface_insert, free_surface, sizeof(et_surface), 0 },
+    { "surface_elevate", surface_elevate, free_surface, sizeof(et_surface), 0 },
+    { "surface_remove", surface_remove, free_surface_removal, sizeof(surface_removal), 0 },
+    { "exact_curve_insert", exact_curve_insert, free_curve, sizeof(et_curve), 0 }, { "exact_curve_elevate", exact_curve_elevate, free_curve, sizeof(et_curve), 0 },
+    { "exact_curve_remove", exact_curve_remove, free_curve_removal, sizeof(curve_removal), 0 },
+    { "exact_surface_insert", exact_surface_insert, free_surface, sizeof(et_surface), 0 },
+    { "exact_surface_elevate", exact_surface_elevate, free_surface, sizeof(et_surface), 0 },
+    { "exact_surface_remove", exact_surface_remove, free_surface_removal, sizeof(surface_removal), 0 },
+    { "surface_grid", surface_grid, NULL, 144 * sizeof(et_vec3), 0 }, { "exact_surface_grid", exact_surface_grid, NULL, 16 * sizeof(et_vec3), 0 },
+    { "rng_new", rng_new, free_rng, sizeof(et_rng *), 0 }, { "shell_new", shell_new, free_shell, sizeof(et_shell), 0 },
+    { "shell_copy", shell_copy, free_shell, sizeof(et_shell), 0 }, { "quality_of", quality, NULL, sizeof(et_som_quality), 0 },
+    { "exact_quality_of", exact_quality, NULL, sizeof(et_som_quality), 0 }, { "fit_make conventional", fit_conventional, free_fit, sizeof(et_fit), 0 },
+    { "fit_make improved", fit_improved, free_fit, sizeof(et_fit), 0 }, { "fit_make joint", fit_joint, free_fit, sizeof(et_fit), 0 },
+    { "fit_make joint, cholesky", fit_cholesky, free_fit, sizeof(et_fit), 0 },
+    { "fit_make conventional, corners", fit_conventional_corners, free_fit, sizeof(et_fit), 0 }, { "exact_fit_make", fit_exact, free_fit, sizeof(et_fit), 0 },
+    { "fit_measure", fit_measure, NULL, sizeof(et_fit_error), 0 }, { "exact_fit_measure", exact_fit_measure, NULL, sizeof(et_fit_error), 0 },
+    { "seam_gap", seam_gap, NULL, sizeof(et_seam), 0 }, { "exact_seam_gap", exact_seam_gap, NULL, sizeof(et_seam), 0 },
+    { "enclosure_make", enclosure_make, free_enclosure, sizeof(et_enclosure), 0 },
+    { "enclosure_refine", enclosure_refine, free_enclosure, sizeof(et_enclosure), 0 }, { "param_grid", param_grid, NULL, sizeof(size_t), 0 },
+    { "linalg_lsq", linalg_lsq, NULL, sizeof(size_t), 0 }, { "exact_fit_curve", exact_fit_curve, NULL, sizeof(et_exact_lsq), 0 },
+    { "objective_new", objective_new, free_objective, sizeof(et_objective *), 0 }, { "search_start", search_start, free_search, sizeof(et_search), 0 },
+    { "ga_step", ga_step, NULL, 0, 0 }, { "de_step", de_step, NULL, 0, 0 }, { "pso_step", pso_step, NULL, 0, 0 },
+    { "optimum_find", optimum, NULL, sizeof(et_optimum_result), 0 }, { "optimum_bound", optimum_bound, NULL, sizeof(double), 0 },
+    { "cloud_read", cloud_read, free_cloud, sizeof(et_cloud), 1 }, { "cloud_write", cloud_write, NULL, 0, 0 },
+    { "json_read_net", net_read, free_net, sizeof(et_net_file), 0 }, { "json_read_surface", surface_read, free_surface_file, sizeof(et_surface_file), 0 },
+    { "iges_write", iges, NULL, 0, 0 }, { "tessellation_of", tessellation, free_tessellation, sizeof(et_tessellation), 0 },
+    { "request_new", request_new, free_request, sizeof(et_request), 0 }, { "request_copy", request_copy, free_request, sizeof(et_request), 0 },
+    { "request_print", request_print, free_text, sizeof(char *), 0 }, { "request_parse", request_parse, free_request, sizeof(et_request), 0 },
+    { "reply_parse", reply_parse, free_reply, sizeof(et_reply), 0 }, { "reply_print", reply_print, free_text, sizeof(char *), 0 },
+    { "answer_fast", answer_fast, free_reply, sizeof(et_reply), 0 }, { "answer_exact", answer_exact, free_reply, sizeof(et_reply), 0 },
+    { "judge_truth", truth, free_truth, sizeof(et_truth), 0 }, { "campaign_draw", draw, free_request, sizeof(et_request), 0 },
+    { "campaign_vary", vary, free_request, sizeof(et_request), 0 } };
+enum { CALLS = sizeof calls / sizeof calls[0], PATTERN = 0x5a };
+
+/* ---- the runs ------------------------------------------------------------------------------------------------------------------ */
+
+static int is_pattern(const unsigned char *p, size_t n)
+{
+    for (size_t k = 0; k < n; k++)
+        if (p[k] != PATTERN)
+            return 0;
+    return 1;
+}
+
+/* worked is fit again, and a search is at its start. */
+static int fresh(void)
+{
+    static int made;
+
+    refuse_at = 0;
+    if (made) {
+        et_shell_free(&worked.shell);
+        et_search_free(&search);
+    }
+    made = 1;
+    worked = fit;
+    return et_shell_copy(&worked.shell, &fit.shell) == ET_OK && search_start(&search) == ET_OK;
+}
+
+static int as_it_was(void)
+{
+    for (size_t w = 0; w < 2; w++)
+        if (memcmp(worked.shell.view[w].points, fit.shell.view[w].points, 16 * sizeof(et_vec3)) != 0)
+            return 0;
+    return 1;
+}
+
+/* What is wrong with call k when request `at` is refused; null if nothing.  *end: it did not come to that request. */
+static const char *run(size_t k, size_t at, int *end)
+{
+    static unsigned char out[ROOM];
+    size_t before;
+    et_status status;
+
+    memset(out, PATTERN, sizeof out);
+    if (!fresh())
+        return "the test itself has no memory";
+    before = live;
+    requests = 0;
+    refuse_at = at;
+    status = calls[k].call(out);
+    refuse_at = 0;
+    *end = requests < at;
+    if (status == ET_OK && calls[k].release)
+        calls[k].release(out);
+    if (live != before)
+        return "memory is kept";
+    if (*end)
+        return status == ET_OK ? NULL : "fails although it got all memory it asked for";
+    if (status == ET_OK && calls[k].harmless)
+        return NULL;
+    if (status != ET_ENOMEM)
+        return status == ET_OK ? "says ET_OK" : "says something else than ET_ENOMEM";
+    if (!is_pattern(out, sizeof out))
+        return "an output was changed";
+    return as_it_was() ? NULL : "what it should have changed at the end is changed";
+}
+
+int main(int argc, char **argv)
+{
+    size_t passed = 0, failed = 0;
+
+    if (argc != 2 || !make_all(argv[1]))
+        return fputs("memory FOLDER: the inputs cannot be made\n", stderr), 2;
+    for (size_t k = 0; k < CALLS; k++) {
+        const char *why = NULL;
+        size_t at = 0;
+        for (int end = 0; !why && !end;)
+            why = run(k, ++at, &end);
+        passed += why == NULL;
+        failed += why != NULL;
+        if (why)
+            printf("FAIL memory %s: %s, request %zu refused\n", calls[k].name, why, at);
+        else
+            printf("ok memory %s: %zu requests\n", calls[k].name, at - 1);
+    }
+    printf("%zu passed, %zu failed\n", passed, failed);
+    return failed > 0;
+}
