@@ -199,6 +199,10 @@ static et_status change_insert(change *m, const sheet *s, double x, size_t times
     for (size_t i = 0; i < n + p + 1 + times; i++) {
         m->u[i] = i < upto ? s->u[i] : i < upto + times ? x : s->u[i - times];
     }
+    if (!et_knots_valid(m->u, n + p + 1 + times, p)) {           /* x too close to another one */
+        change_clear(m);
+        return ET_EINVAL;
+    }
     size_t span = et_knots_span(s->u, n + p + 1, p, x);
     for (size_t j = 0; j < m->n; j++) {
         if (j + p < upto) {

@@ -311,7 +311,8 @@ et_status et_exact_surface_normal(et_vec3 *n, const et_surface *s, double u, dou
 
 /* The same curve with the knot x of the closed domain `times` times more, behind those that equal it; control points, after the division by their exact
  * weights, and weights rounded once each.  times = 0: a copy (with +0 for -0).  What *refined held before is not freed.
- * ET_EINVAL (curve not valid; x outside the domain or not finite; times > 0 and a multiplicity beyond p + 1 afterwards), ET_ENOMEM.
+ * ET_EINVAL (curve not valid; x outside the domain, not finite or nearer than 2^-1022 to a knot that it does not equal; times > 0 and a multiplicity
+ * beyond p + 1 afterwards), ET_ENOMEM.
  * Golden: none (the rows of et_curve_insert are checked against it). */
 /*@ requires refined: \valid(refined) && \valid_read(c);
     requires curve:   et_curve_readable((et_curve *)c);
