@@ -6,6 +6,7 @@
 # make cover        line and branch coverage
 # make accuracy     bounds beside the worst errors seen    make bits    the same bits everywhere
 # make faults       no memory, no room on the disk     make conformance other libraries judged: docs/scoreboard.md
+# make mutants      small faults put into the code: which do the tests notice?  ROOMS="som fit" FILES=param.c SAMPLE=1/10
 # make bench        speed, as ratios to named peers      make install DESTDIR= PREFIX=/usr/local
 # make P=asan ...   the same under another profile: release, native, clang, debug, asan, fuzz, afl, cover
 
@@ -164,6 +165,15 @@ fuzz:
 fuzz-min:
 	@$(MAKE) -s $(J) P=fuzz $(BUILD)/fuzz/fuzzer
 	@sh fuzz/min.sh $(BUILD) $(F)
+# The rooms asked for are mutated; the program with the mutants needs all.  Some hours of one processor from nothing; what is known is kept.
+mutants:
+	@$(MAKE) -s ROOMS='base spline net som fit refine exact io conform cli' MUTANT_ROOMS='$(filter $(MUTABLE),$(ROOMS))' mutate
+MUTABLE := spline net som fit refine exact
+mutate: $(LIBO) $(TESTO) $(B)/registry.o
+	@python3 tests/mutants/mutants.py --build $(BUILD)/mutants --rooms '$(MUTANT_ROOMS)' --files '$(FILES)' --sample '$(or $(SAMPLE),1/1)' \
+	  --tables '$(ROWS)' --corpus '$(CORPUS)' --objects '$(LIBO) $(TESTO) $(B)/registry.o' --libs '-Wl,--as-needed $(GSL) $(LDLIBS) $(OMP)' $(MUTANTS)
+mutants-self:
+	@sh tests/mutants/self.sh $(BUILD)/mutants-self $(CC_release)
 cover:
 	@$(MAKE) P=cover test
 	@gcovr -r . -f src/ --object-directory $(BUILD)/cover --html-details $(BUILD)/cover/coverage.html --print-summary
@@ -252,4 +262,4 @@ uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/share/man/man1/etalon.1
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits fuzz fuzz-min cover faults built check end-to-end bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean
+.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits fuzz fuzz-min cover faults built check end-to-end mutants mutate mutants-self bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean
