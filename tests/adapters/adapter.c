@@ -4,9 +4,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 typedef enum { FINE, REFUSED, UNSUPPORTED } state;
 
+static FILE *replies;
 static char *next;                       /* the request's words that are left */
 static state how;
 static char why[128];
@@ -251,9 +253,9 @@ static void forget(void)
 
 static void say_hello(const char *id, const char *hello, const operation *o)
 {
-    printf("%s ok protocol=1 %s ops=", id, hello);
+    fprintf(replies, "%s ok protocol=1 %s ops=", id, hello);
     for (size_t k = 0; o[k].op; k++)
-        printf("%s%s", k ? "," : "", o[k].op);
+        fprintf(replies, "%s%s", k ? "," : "", o[k].op);
 }
 
 static void answer(const char *id, const char *op, const operation *o)
@@ -267,11 +269,11 @@ static void answer(const char *id, const char *op, const operation *o)
     if (how == FINE && *word())
         refuse("more words than the operation has");
     if (how == FINE) {
-        printf("%s ok", id);
+        fprintf(replies, "%s ok", id);
         for (size_t k = 0; k < out.n; k++)
-            printf(" %a", out.x[k]);
+            fprintf(replies, " %a", out.x[k]);
     } else {
-        printf("%s %s %s", id, how == REFUSED ? "refused" : "unsupported", why);
+        fprintf(replies, "%s %s %s", id, how == REFUSED ? "refused" : "unsupported", why);
     }
 }
 
@@ -280,6 +282,10 @@ int adapter_run(const char *hello, const operation *operations)
     char *line = NULL;
     size_t size = 0;
 
+    /* What a library prints goes to standard error: not among the replies. */
+    replies = fdopen(dup(STDOUT_FILENO), "w");
+    if (!replies || dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
+        return 1;
     while (getline(&line, &size, stdin) > 0) {
         next = line;
         const char *id = word(), *op = word();
@@ -287,12 +293,12 @@ int adapter_run(const char *hello, const operation *operations)
             say_hello(id, hello, operations);
         else
             answer(id, op, operations);
-        putchar('\n');
-        if (fflush(stdout) != 0)
+        putc('\n', replies);
+        if (fflush(replies) != 0)
             break;
         forget();
     }
     free(line);
     free(out.x);
-    return ferror(stdout) != 0;
+    return ferror(replies) != 0;
 }

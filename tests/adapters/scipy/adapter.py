@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """SciPy: `adapter.py` answers by BSpline and make_lsq_spline, `adapter.py fitpack` by the FITPACK of splev, insert, bisplev and LSQBivariateSpline."""
+import os
 import sys
 import warnings
 
@@ -182,13 +183,15 @@ def answer(operations, op, words):
 
 def main():
     name, operations = LIBRARIES[sys.argv[1] if len(sys.argv) > 1 else "scipy"]
+    out = os.fdopen(os.dup(1), "w")          # FITPACK prints now and then: not among the replies
+    os.dup2(2, 1)
     for line in sys.stdin:
         words = line.split()
         if words[1] == "hello":
             reply = f"ok protocol=1 {name} version={scipy.__version__} rational=0 sides=any knot_tolerance=0 ops=" + ",".join(operations)
         else:
             reply = answer(operations, words[1], words[2:])
-        print(words[0], reply, flush=True)
+        print(words[0], reply, file=out, flush=True)
 
 
 main()
