@@ -1,34 +1,6 @@
 /* conform/request: any bytes as the line of a request. */
 #include "etalon/conform/request.h"
-#include "gen.h"
-#include <stdlib.h>
-#include <string.h>
-
-enum { MOST = 4096 };
-#define TEXT(s) { s, sizeof s - 1 }
-static const sample some[] = {
-    TEXT("span 3 8 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x1p+0 0x1p+0 0x1p+0 0x1.8p-1"), TEXT("multiplicity 4 0x0p+0 0x1p-1 0x1p-1 inf -0x0p+0"),
-    TEXT("greville 1 4 0x0p+0 0x0p+0 0x1p+0 0x1p+0"), TEXT("basis_ders 1 5 0x0p+0 0x0p+0 0x1p-1 0x1p+0 0x1p+0 0x1p-1 left 2"),
-    TEXT("curve_point 1 4 0x0p+0 0x0p+0 0x1p+0 0x1p+0 2 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x1p+0 0x1p+0 2 0x1p+0 0x1p-1 0x1p-2 any"),
-    TEXT("curve_insert 1 4 0x0p+0 0x0p+0 0x1p+0 0x1p+0 2 0x0p+0 0x0p+0 0x0p+0 0x1p+0 0x1p+0 0x1p+0 0 0x1p-1 1"),
-    TEXT("surface_ders 1 1 4 0 0 1 1 4 0 0 1 1 4 0 0 0 0 1 0 1 0 0 1 1 0x1p-1074 0 0x1p-1 nan right left 1"),
-    TEXT("surface_remove 1 1 4 0 0 1 1 4 0 0 1 1 4 0 0 0 0 1 0 1 0 0 1 1 0 0 u 0x1p-1 1 0x1p-20"), TEXT("parameters centripetal 2 0 0 0 1 1 1"),
-    TEXT("knots averaging 2 4 4 0x0p+0 0x1p-2 0x1p-1 0x1p+0"), TEXT("fit_curve 1 4 0 0 1 1 2 0 1 2 0 0 0 1 1 1"),
-    TEXT("fit_grid interpolated 1 1 4 0 0 1 1 4 0 0 1 1 2 0 1 2 0 1 4 0 0 0 0 1 0 1 0 0 1 1 1"), TEXT("net_class 3 4 1 2 2"), TEXT("net_counts 9007199254740992 2"),
-    { NULL, 0 } };
-
-/* The line ends at a NUL byte. */
-static char *line_of(gen *g)
-{
-    static uint8_t bytes[MOST + 1];
-    const size_t n = gen_rest(g, bytes, MOST, some);
-    char *const line = calloc(n + 1, 1);
-
-    if (line)
-        memcpy(line, bytes, n);
-    gen_note(g, "%s", line ? line : "");
-    return line;
-}
+#include "lines.h"
 
 /* Printed, it is a line that says the same, to the bit: printed again it is the same line. */
 static bool returns(gen *g, const et_request *r)
@@ -72,7 +44,7 @@ static bool shaped(gen *g, const et_request *r)
 
 verdict prop_request_parse_raw(gen *g)
 {
-    char *const line = line_of(g);
+    char *const line = line_rest(g, LINE_MOST);
     et_request r, was;
     et_message message = { "" };
 
