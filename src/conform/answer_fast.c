@@ -56,7 +56,7 @@ static et_status basis(et_reply *reply, const et_request *request)
     double *work = et_size_array(nwork, sizeof *work), *D = et_size_array((d + 1) * (p + 1), sizeof *D);
     et_status status = work && D ? ET_OK : ET_ENOMEM;
 
-    if (status == ET_OK && ders)
+    if (status == ET_OK && d > 0)
         et_basis_ders(D, d, a[1].x, nu, p, span, a[2].x[0], work, nwork);
     else if (status == ET_OK)
         et_basis_eval(D, a[1].x, nu, p, span, a[2].x[0], work, nwork);
@@ -255,44 +255,100 @@ et_status answer_net(et_reply *reply, const et_request *request)
 
 /* ---- distances ---- */
 
+/* 2^-e, with the greatest magnitude below 2^e: in that unit squares neither overflow nor, where they matter, underflow; 1 in the range where they do not anyway. */
+static double unit_of(double most)
+{
+    int e;
+
+    frexp(most, &e);
+    return most == 0 || (e < 500 && e > -400) ? 1 : ldexp(1, e < -1000 ? 1000 : -e);
+}
+
+static double greatest(const double *x, size_t n)
+{
+    double most = 0;
+
+    for (size_t i = 0; i < n; i++)
+        most = fmax(most, fabs(x[i]));
+    return most;
+}
+
+/* A copy in that unit. */
+static et_status scaled(et_surface *copy, const et_surface *s, double unit)
+{
+    const et_status status = et_surface_copy(copy, s);
+
+    for (size_t i = 0; status == ET_OK && i < s->nu * s->nv; i++)
+        copy->points[i] = (et_vec3){ unit * s->points[i].x, unit * s->points[i].y, unit * s->points[i].z };
+    return status;
+}
+
+static et_status distances(double *d, const et_surface *s, const et_request_value *a, double unit)
+{
+    et_vec3 *S = et_size_array(a[8].count, sizeof *S);
+    const et_status status = S ? et_surface_grid(S, s, a[6].x, a[6].count, a[7].x, a[7].count) : ET_ENOMEM;
+
+    for (size_t k = 0; status == ET_OK && k < a[8].count; k++) {
+        const double *D = a[8].x + 3 * k;
+        d[k] = et_vec3_distance(S[k], (et_vec3){ unit * D[0], unit * D[1], unit * D[2] });
+    }
+    free(S);
+    return status;
+}
+
 static et_status surface_error(et_reply *reply, const et_request *request)
 {
     const et_request_value *a = request->arg;
     const size_t n = a[8].count;
-    et_surface s;
-    et_vec3 *S;
-    double *d, answer[2] = { 0, 0 };
+    const double unit = unit_of(fmax(greatest(a[4].x, 3 * a[4].count), greatest(a[8].x, 3 * n)));
+    double *d = et_size_array(n, sizeof *d);
+    et_surface s, t;
     et_status status = et_request_surface(&s, request, 0);
 
     if (status != ET_OK || !et_surface_valid(&s))
-        return ET_EINVAL;
-    S = et_size_array(n, sizeof *S);
-    d = et_size_array(n, sizeof *d);
-    status = S && d ? et_surface_grid(S, &s, a[6].x, a[6].count, a[7].x, a[7].count) : ET_ENOMEM;
-    for (size_t k = 0; status == ET_OK && k < n; k++) {
-        d[k] = et_vec3_distance(S[k], ((const et_vec3 *)a[8].x)[k]);
-        answer[1] = fmax(answer[1], d[k]);
+        status = ET_EINVAL;
+    else
+        status = d ? scaled(&t, &s, unit) : ET_ENOMEM;
+    if (status == ET_OK) {
+        status = distances(d, &t, a, unit);
+        et_surface_free(&t);
     }
     if (status == ET_OK) {
-        answer[0] = et_real_sum(d, n);
+        const double answer[2] = { et_real_sum(d, n) / unit, greatest(d, n) / unit };
         status = et_reply_put(reply, answer, 2);
     }
-    free(S);
     free(d);
     return status;
 }
 
+static et_status seam_gap(et_reply *reply, const et_request *request)
+{
+    const et_request_value *a = request->arg;
+    const double unit = unit_of(fmax(greatest(a[4].x, 3 * a[4].count), greatest(a[10].x, 3 * a[10].count)));
+    et_shell shell;
+    et_surface s, t;
+    et_seam gap;
+    et_status status = et_request_surface(&s, request, 0);
+
+    if (status == ET_OK)
+        status = et_request_surface(&t, request, 6);
+    if (status == ET_OK)
+        status = scaled(&shell.view[0], &s, unit);
+    if (status != ET_OK)
+        return status;
+    status = scaled(&shell.view[1], &t, unit);
+    if (status == ET_OK) {
+        status = et_seam_gap(&gap, &shell, a[12].count);
+        et_surface_free(&shell.view[1]);
+    }
+    et_surface_free(&shell.view[0]);
+    if (status != ET_OK)
+        return status;
+    gap.distance /= unit;
+    return et_reply_put(reply, &gap.distance, 1);
+}
+
 et_status answer_measure(et_reply *reply, const et_request *request)
 {
-    et_shell shell;
-    et_seam gap;
-
-    if (request->op == ET_OP_SURFACE_ERROR)
-        return surface_error(reply, request);
-    et_status status = et_request_surface(&shell.view[0], request, 0);
-    if (status == ET_OK)
-        status = et_request_surface(&shell.view[1], request, 6);
-    if (status == ET_OK)
-        status = et_seam_gap(&gap, &shell, request->arg[12].count);
-    return status == ET_OK ? et_reply_put(reply, &gap.distance, 1) : status;
+    return request->op == ET_OP_SURFACE_ERROR ? surface_error(reply, request) : seam_gap(reply, request);
 }

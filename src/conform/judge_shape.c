@@ -413,23 +413,59 @@ et_status judge_removal(et_judgement *j, const et_request *request, const et_tru
 
 /* ---- nearest points, approximations ---- */
 
-/* The distance at the parameters, from the sides where it is least. */
-static et_status distance_at(double *distance, const et_request *request, const double x[2])
+/* A curve as a surface: straight and of no length across. */
+static et_status ruled(et_surface *s, const et_curve *c)
 {
-    const int curve = request->op == ET_OP_CURVE_NEAREST;
-    const et_vec3 *P = (const et_vec3 *)request->arg[curve ? 4 : 6].x;
+    const et_status status = et_surface_new(s, c->p, 1, c->n, 2, c->weights != NULL);
+
+    if (status != ET_OK)
+        return status;
+    memcpy(s->u, c->u, (c->n + c->p + 1) * sizeof *s->u);
+    s->v[2] = s->v[3] = 1;
+    for (size_t i = 0; i < 2 * c->n; i++) {
+        s->points[i] = c->points[i / 2];
+        if (c->weights)
+            s->weights[i] = c->weights[i / 2];
+    }
+    return ET_OK;
+}
+
+/* The distance at the parameters, rounded once; at knots from the sides where it is least (there from points that are rounded themselves). */
+static et_status distance_to(double *distance, const et_surface *s, const double x[2], const et_vec3 *P)
+{
+    double sum;
+    et_status status = et_exact_surface_error(&sum, distance, s, x, 1, x + 1, 1, P);
+
+    for (int side = 1; status == ET_OK && side < 4; side++) {
+        const et_side u = side & 1 ? ET_SIDE_LEFT : ET_SIDE_RIGHT, v = side & 2 ? ET_SIDE_LEFT : ET_SIDE_RIGHT;
+        et_vec3 S;
+        if (((side & 1) && !judge_jumps(s->u, s->nu + s->p + 1, s->p, x, 1)) || ((side & 2) && !judge_jumps(s->v, s->nv + s->q + 1, s->q, x + 1, 1)))
+            continue;
+        status = et_exact_surface_partials(&S, 0, s, x[0], x[1], u, v);
+        if (status == ET_OK)
+            *distance = fmin(*distance, et_exact_vec3_distance(S, *P));
+    }
+    return status;
+}
+
+static et_status distance_at(double *distance, const et_request *request, const double *x)
+{
+    const double at[2] = { x[0], request->op == ET_OP_CURVE_NEAREST ? 0 : x[1] };
     et_curve c;
     et_surface s;
-    et_status status = curve ? et_request_curve(&c, request, 0) : et_request_surface(&s, request, 0);
+    et_status status;
 
-    *distance = INFINITY;
-    for (int side = 0; status == ET_OK && side < (curve ? 2 : 4); side++) {
-        const et_side u = side & 1 ? ET_SIDE_LEFT : ET_SIDE_RIGHT, v = side & 2 ? ET_SIDE_LEFT : ET_SIDE_RIGHT;
-        et_vec3 C;
-        status = curve ? et_exact_curve_ders_side(&C, 0, &c, x[0], u) : et_exact_surface_partials(&C, 0, &s, x[0], x[1], u, v);
-        if (status == ET_OK)
-            *distance = fmin(*distance, et_exact_vec3_distance(C, *P));
+    if (request->op == ET_OP_SURFACE_NEAREST) {
+        status = et_request_surface(&s, request, 0);
+        return status == ET_OK ? distance_to(distance, &s, at, (const et_vec3 *)request->arg[6].x) : status;
     }
+    status = et_request_curve(&c, request, 0);
+    if (status == ET_OK)
+        status = ruled(&s, &c);
+    if (status != ET_OK)
+        return status;
+    status = distance_to(distance, &s, at, (const et_vec3 *)request->arg[4].x);
+    et_surface_free(&s);
     return status;
 }
 

@@ -147,8 +147,8 @@ static void put_normal(judge_list *list, const et_vec3 *n, const et_vec3 D[3], c
         along += judge_times(fabs(judge_coordinate(n, c)), e[c]);
     }
     const double l = judge_length(cross);
-    if (!(l > sum))
-        list->doubt = "the normal cannot be told from none";
+    if (!(l > 0x1p10 * sum))
+        list->doubt = "the normal can hardly be told from none";
     for (size_t c = 0; c < 3; c++) {
         const double x = judge_coordinate(n, c);
         judge_put_bound(list, x, (e[c] + fabs(x) * along) / l + K * ET_UNIT * fabs(x) + K * eta, K * ET_UNIT);

@@ -268,6 +268,9 @@ static void edit(judge_case *c, et_request_op op, const et_request_value *u, siz
     if (elevates) {
         if (!clamped(u, p))
             unknown(c, "the knots are not clamped");
+        for (size_t i = p + 1; i < u->count; i++)
+            if (u->x[i] == u->x[i - p - 1])
+                unknown(c, "a knot stands more than p + 1 times");
         if (r > JUDGE_DEGREE)
             unknown(c, "elevated by more than 64");
     } else if (!isfinite(x)) {
@@ -281,6 +284,10 @@ static void edit(judge_case *c, et_request_op op, const et_request_value *u, siz
         invalid(c, "the knot is outside the domain");
     } else if (r > 0 && (m > p + 1 || r > p + 1 - m)) {
         invalid(c, "the knot's multiplicity would exceed p + 1");
+    } else if (r > 0) {
+        for (size_t i = 0; i < u->count; i++)
+            if (u->x[i] != x && fabs(u->x[i] - x) < 0x1p-1022)
+                unknown(c, "different knots would be less than 2^-1022 apart");
     }
 }
 
