@@ -171,7 +171,7 @@ mutants:
 MUTABLE := spline net som fit refine exact
 mutate: $(LIBO) $(TESTO) $(B)/registry.o
 	@python3 tests/mutants/mutants.py --build $(BUILD)/mutants --rooms '$(MUTANT_ROOMS)' --files '$(FILES)' --sample '$(or $(SAMPLE),1/1)' \
-	  --tables '$(ROWS)' --corpus '$(CORPUS)' --objects '$(LIBO) $(TESTO) $(B)/registry.o' --libs '-Wl,--as-needed $(GSL) $(LDLIBS) $(OMP)' $(MUTANTS)
+	  --tables '$(ROWS)' --corpus '$(CORPUS)' --objects '$(LIBO) $(TESTO) $(B)/registry.o' --libs='-Wl,--as-needed $(GSL) $(LDLIBS) $(OMP)' $(MUTANTS)
 mutants-self:
 	@sh tests/mutants/self.sh $(BUILD)/mutants-self $(CC_release)
 cover:

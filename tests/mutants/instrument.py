@@ -18,7 +18,7 @@ NEGATED = {'==': '!=', '!=': '==', '<': '>=', '>=': '<', '>': '<=', '<=': '>'}
 BOUNDARY = {'<': '<=', '<=': '<', '>': '>=', '>=': '>'}
 ARITHMETIC = {'+': ['-'], '-': ['+'], '*': ['/'], '/': ['*'], '%': ['*'], '&': ['|'], '|': ['&'], '^': ['&'], '<<': ['>>'], '>>': ['<<']}
 # a op b is b op a to the last bit.
-COMMUTE = re.compile(r'^(fmin|fmax|hypot|fmp[qz]_(add|mul|equal|add_si)|ar[bf]_(add|mul|equal|union|add_arf|mul_arf)|mp[zq]_(add|mul)|et_size_mul|'
+COMMUTE = re.compile(r'^(fmin|fmax|hypot|fmp[qz]_(add|mul|equal|add_si)|ar[bf]_(add|mul|equal|union|add_arf|mul_arf)|mp[zq]_(add|mul)|et_size_mul|et_size_array|'
                      r'fmpz_(gcd|lcm|mul2_uiui))$')
 UNWRAP = {'sqrt', 'fabs'}
 INTEGERS = re.compile(r'^(unsigned |signed )?(char|short|int|long|long long|__int128)$|^unsigned$|^_Bool$|^(unsigned|signed) (long|short) int$')
@@ -69,14 +69,12 @@ class Unit:
         at += loc['tokLen']
         if macro:
             after = re.compile(r'\s*\(').match(self.text, at)
-            if after and self.text[loc['offset']:at] in self.callmacros:
+            if after and self.text[loc['offset']:at] not in self.ownmacros:
                 depth, at = 1, after.end()
                 while depth:
                     depth += {'(': 1, ')': -1}.get(self.text[at], 0)
                     at += 1
         return at
-
-    callmacros = ()
 
     def span(self, node):
         r = node.get('range', {})
@@ -291,8 +289,18 @@ class Unit:
             arms = {self.short(self.source(bare(c))) for c in (yes, no)}
             if arms == {self.short(self.source(bare(c))) for c in core['inner']}:
                 least = core
+            if kind_of(yes) != 'real' and self.differences(core, bare(yes), bare(no)):
+                least = core
         core['minmax'] = least is not None
         return self.generic(node, lambda c: self.condition(c) if c is cond else self.expression(c))
+
+    def differences(self, cond, yes, no):
+        """a < b ? b - a : a - b, which is 0 either way where a is b."""
+        if any(c['kind'] != 'BinaryOperator' or c['opcode'] != '-' for c in (yes, no)):
+            return False
+        a, b = (self.short(self.source(bare(c))) for c in cond['inner'])
+        pairs = {tuple(self.short(self.source(bare(x))) for x in c['inner']) for c in (yes, no)}
+        return pairs == {(a, b), (b, a)}
 
     def do_BinaryOperator(self, node, unused):
         op, (left, right) = node['opcode'], node['inner']

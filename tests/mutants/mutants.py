@@ -117,15 +117,31 @@ def compile_one(cc, source, target, flags, key):
     return None
 
 
-def build(o, units):
+EMPTY = '''#include "golden.h"
+const property properties[] = { { 0, 0, 0 } };
+const golden goldens[] = { { 0, 0 } };
+const golden truths[] = { { 0, 0 } };
+'''
+NO_MEMORY = '''#include <stddef.h>
+size_t et_memory_cases(const char *folder) { return 0; }
+int et_memory_fails(size_t k) { return 0; }
+'''
+WRAP = ['-Wl,' + ','.join('--wrap=' + f for f in ('malloc', 'calloc', 'realloc', 'posix_memalign', 'free'))]
+SANITIZE = ['-fsanitize=address,undefined', '-fno-sanitize=vptr,alignment,float-cast-overflow,float-divide-by-zero', '-fno-sanitize-recover=undefined']
+
+
+def build(o, units, phase):
     """The program with all mutants; its parts are compiled again when their text changes."""
     here = os.path.join(o.build, 'src_' + '_'.join(o.rooms))
+    extra = o.extra + (SANITIZE if phase == 'asan' else [])
+    write_if_new(os.path.join(here, 'empty.c'), EMPTY)
+    write_if_new(os.path.join(here, 'nomemory.c'), NO_MEMORY)
     write_if_new(os.path.join(here, 'points.c'), tables(units))
     jobs = []
     headers = digest(*[read(p) for p in listed('include', 'src', 'tests', ends='.h')], *[u['text'] for u in units if u['path'].endswith('.h')])
     for u in units:
         write_if_new(os.path.join(here, u['path']), u['text'])
-    flags = CFLAGS + o.extra + ['-I' + HERE, '-I' + os.path.join(here, 'src')] + FLAGS
+    flags = CFLAGS + extra + ['-I' + HERE, '-I' + os.path.join(here, 'src')] + FLAGS
     for u in units:
         if u['path'].endswith('.c'):
             jobs.append((os.path.join(here, u['path']), flags + ['-I' + os.path.dirname(u['path'])]))
@@ -134,7 +150,10 @@ def build(o, units):
             if path not in {u['path'] for u in units}:
                 jobs.append((path, flags))
     jobs.append((os.path.join(here, 'points.c'), flags))
-    jobs.append((os.path.join(HERE, 'run.c'), CFLAGS[1:] + o.extra + ['-O2', '-I' + HERE, '-Itests'] + FLAGS))
+    jobs.append((os.path.join(HERE, 'run.c'), CFLAGS[1:] + extra + ['-O2', '-I' + HERE, '-Itests'] + FLAGS))
+    jobs.append((os.path.join(HERE, 'memory.c') if phase == 'memory' else os.path.join(here, 'nomemory.c'), CFLAGS + FLAGS))
+    if phase == 'memory':
+        jobs.append((os.path.join(here, 'empty.c'), CFLAGS + ['-Itests'] + FLAGS))
     objects, faults = [], []
     lock, queue = threading.Lock(), list(jobs)
 
@@ -144,7 +163,7 @@ def build(o, units):
                 if not queue:
                     return
                 source, f = queue.pop()
-            target = os.path.join(here, 'o', re.sub(r'\W', '_', source) + '.o')
+            target = os.path.join(here, 'asan' if phase == 'asan' else 'o', re.sub(r'\W', '_', source) + '.o')
             fault = compile_one(o.cc, source, target, f, digest(read(source), headers, ' '.join(f)))
             with lock:
                 objects.append(target)
@@ -155,13 +174,18 @@ def build(o, units):
         raise SystemExit('mutants: does not compile\n' + '\n'.join(faults))
     mine = tuple('/src/%s/' % r for r in o.rooms)
     others = [p for p in o.objects if not (any(r in p for r in mine) and p.endswith('.c.o')) and not p.endswith(('/tests/check.c.o', '/tests/shrink.c.o'))]
-    program = os.path.join(here, 'run')
+    if phase == 'memory':
+        others = [p for p in others if ('/tests/' not in p or p.endswith(('/tests/gen.c.o', '/tests/golden.c.o'))) and not p.endswith('/registry.o')]
+    program = os.path.join(here, 'run_' + phase)
     key = digest(*[read(p) for p in sorted(objects) + others])
     if not os.path.exists(program) or not os.path.exists(program + '.key') or read(program + '.key').decode() != key:
-        subprocess.run([o.cc] + o.extra + ['-o', program] + sorted(objects) + others + o.libs.split(), check=True)
+        done = subprocess.run([o.cc] + extra + (WRAP if phase == 'memory' else []) + ['-o', program] + sorted(objects) + others + o.libs.split(),
+                              stderr=subprocess.PIPE, text=True)
+        if done.returncode:
+            raise SystemExit('mutants: %s cannot be linked\n%s' % (program, done.stderr[-2000:]))
         with open(program + '.key', 'w') as f:
             f.write(key)
-    return program, key, others
+    return program, others
 
 
 def run_threads(works):
@@ -175,7 +199,7 @@ def run_threads(works):
 
 # Watching.
 
-def unit_keys(o, program, units, others):
+def unit_keys(o, program, units, others, phase):
     """What each unit of test depends on: the instrumented code, its own test file, its rows or cases."""
     code = digest(*[u['text'] for u in units], tables(units))
     common = digest(*[read(p) for p in others if '/tests/' not in p or re.search(r'/tests/(gen|golden)\.c\.o$', p)])
@@ -187,9 +211,11 @@ def unit_keys(o, program, units, others):
     objects = {p: digest(read(p)) for p in text}
     tests = digest(*[objects[p] for p in sorted(objects)])
     keys = {}
-    for line in subprocess.run([program, '--list'], stdout=subprocess.PIPE, text=True, check=True, env=environment(o)).stdout.splitlines():
+    for line in subprocess.run([program, '--list'], stdout=subprocess.PIPE, text=True, check=True, env=environment(o, phase)).stdout.splitlines():
         name, module, cases = line.split('\t')
-        if name.startswith(('golden.', 'truth.')):
+        if name == 'memory':
+            keys[name] = digest(code, common, read('tests/faults/memory.c'))
+        elif name.startswith(('golden.', 'truth.')):
             table = 'golden/%s.tsv' % name.split('.')[1]
             used = {f.split('\t')[0] for f in read(table).decode().splitlines() if f and not f.startswith('#')}
             own = [objects[where[k, f]] for k in (('gold',) if name.startswith('golden.') else ('true',)) for f in sorted(used) if (k, f) in where]
@@ -202,15 +228,24 @@ def unit_keys(o, program, units, others):
     return keys
 
 
-def environment(o):
-    env = dict(os.environ, ET_TABLES=' '.join(o.tables), ET_CORPUS=' '.join(o.corpus), OMP_NUM_THREADS='1', OPENBLAS_NUM_THREADS='1')
+def environment(o, phase):
+    env = dict(os.environ, OMP_NUM_THREADS='1', OPENBLAS_NUM_THREADS='1')
+    env.pop('ET_RUNS', None)
+    if phase == 'memory':
+        env['ET_MEMORY'] = o.build
+    else:
+        env.update(ET_TABLES=' '.join(o.tables), ET_CORPUS=' '.join(o.corpus))
+    if phase == 'asan':
+        env.update(ET_RUNS='200', ET_SANITIZED='1', ASAN_OPTIONS='allocator_may_return_null=1:detect_leaks=1:handle_segv=0:leak_check_at_exit=0')
+    if o.most:
+        env['ET_MOST'] = str(o.most)
     return env
 
 
-def watch(o, program, units, others):
-    folder = os.path.join(o.build, 'seen_' + '_'.join(o.rooms))
+def watch(o, program, units, others, phase):
+    folder = os.path.join(o.build, ('memory_' if phase == 'memory' else 'seen_') + '_'.join(o.rooms))
     os.makedirs(folder, exist_ok=True)
-    keys = unit_keys(o, program, units, others)
+    keys = unit_keys(o, program, units, others, phase)
     todo = [n for n in keys if not os.path.exists(os.path.join(folder, n + '.seen')) or not os.path.exists(os.path.join(folder, n + '.key'))
             or read(os.path.join(folder, n + '.key')).decode() != keys[n]]
     if todo:
@@ -224,7 +259,7 @@ def watch(o, program, units, others):
                 if not queue or stopping.is_set():
                     return
                 name = queue.pop()
-            p = subprocess.Popen([program, '--watch', folder, name], stdout=subprocess.PIPE, text=True, env=environment(o), start_new_session=True)
+            p = subprocess.Popen([program, '--watch', folder, name], stdout=subprocess.PIPE, text=True, env=environment(o, phase), start_new_session=True)
             with lock:
                 children.append(p)
             out = p.communicate()[0]
@@ -288,31 +323,41 @@ def load_answers(path):
         with open(path, encoding='latin-1') as f:
             for line in f:
                 parts = line.rstrip('\n').split('\t')
-                if len(parts) == 11:
-                    answers['\t'.join(parts[:5])] = dict(source=parts[5], how=parts[6], unit=parts[7], case=int(parts[8]), spent=float(parts[9]), tests=parts[10])
+                if len(parts) == 12:
+                    answers.setdefault('\t'.join(parts[:5]), {})[parts[11]] = dict(source=parts[5], how=parts[6], unit=parts[7], case=int(parts[8]), spent=float(parts[9]), tests=parts[10])
     return answers
 
 
 ALIVE = ('survived', 'budget', 'unreached')
 
 
-def try_all(o, program, seen, tests, mutants, answers, path):
+def killed(m, answers):
+    """The phase in which it was, or None."""
+    for phase, a in answers.get(m['name'], {}).items():
+        if a['source'] == m['source'] and a['how'] not in ALIVE:
+            return phase
+    return None
+
+
+def try_all(o, program, seen, tests, mutants, answers, path, phase):
     todo = []
     for m in mutants:
-        a = answers.get(m['name'])
+        a = answers.get(m['name'], {}).get(phase)
+        if phase != 'test' and killed(m, answers):
+            continue
         if not o.fresh and a and a['source'] == m['source'] and (a['how'] not in ALIVE or a['tests'] == tests):
             continue
         todo.append(m)
     if not todo:
         return
-    say('trying %d mutants' % len(todo))
+    say({'test': 'trying %d mutants', 'memory': 'trying %d survivors where memory is refused', 'asan': 'trying %d survivors under the sanitizers'}[phase] % len(todo))
     by_number = {m['number']: m for m in mutants}
     queue = [m['number'] for m in reversed(todo)]
     lock, done, alive, began = threading.Lock(), [0], [0], time.time()
     out = open(path, 'a', encoding='latin-1')
 
     def work():
-        env = environment(o)
+        env = environment(o, phase)
         p = subprocess.Popen([program, '--kill', seen, str(o.budget)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=env, start_new_session=True)
         with lock:
             children.append(p)
@@ -329,8 +374,8 @@ def try_all(o, program, seen, tests, mutants, answers, path):
             m = by_number[int(line[0])]
             a = dict(source=m['source'], how=line[1], unit=line[2], case=int(line[3]), spent=float(line[4]), tests=tests)
             with lock:
-                answers[m['name']] = a
-                out.write('\t'.join([m['name'], a['source'], a['how'], a['unit'], str(a['case']), '%.3f' % a['spent'], tests]) + '\n')
+                answers.setdefault(m['name'], {})[phase] = a
+                out.write('\t'.join([m['name'], a['source'], a['how'], a['unit'], str(a['case']), '%.3f' % a['spent'], tests, phase]) + '\n')
                 out.flush()
                 done[0] += 1
                 alive[0] += a['how'] in ALIVE
@@ -380,20 +425,20 @@ def report(o, mutants, answers):
     per_file = collections.OrderedDict()
     counts, lines = collections.Counter(), []
     for m in mutants:
-        a = answers.get(m['name'])
+        a = answers.get(m['name'], {}).get('test')
         row = per_file.setdefault(m['file'], collections.Counter())
-        how = 'untried' if a is None or a['source'] != m['source'] else 'alive' if a['how'] in ALIVE else 'killed'
+        how = 'untried' if a is None or a['source'] != m['source'] else 'by ' + killed(m, answers) if killed(m, answers) else 'alive'
         row['all'] += 1
         if how == 'alive':
             e = explain(m, index)
             how = e['kind'] if e else 'unexplained'
             if how in ('unexplained', 'open') or o.verbose:
-                lines.append('%s:%d: %s: %s  ->  %s (%s)%s' % (m['file'], m['line'], m['function'], m['before'], m['after'], a['how'], ': ' + e['reason'] if e else ''))
+                lines.append('%s:%d: %s: %s  ->  %s (%s)%s' % (m['file'], m['line'], m['function'], m['before'], m['after'], a['how'].replace('unreached', 'never differs'), ': ' + e['reason'] if e else ''))
         row[how] += 1
         counts[how] += 1
     same = counts['equivalent'] + counts['memory'] + counts['speed']
     tried = len(mutants) - counts['untried']
-    share = 100.0 * counts['killed'] / max(1, tried - same)
+    share = [100.0 * n / max(1, tried - same) for n in (counts['by test'], counts['by test'] + counts['by memory'] + counts['by asan'])]
     return per_file, counts, lines, share, [r for r in rules if not r['used']]
 
 
@@ -408,7 +453,9 @@ def options():
     p.add_argument('--files', default='')
     p.add_argument('--sample', default='1/1')
     p.add_argument('--budget', type=float, default=5)
+    p.add_argument('--most', type=int, default=0)
     p.add_argument('--jobs', type=int, default=os.cpu_count() or 1)
+    p.add_argument('--phases', default='test memory asan')
     p.add_argument('--fresh', action='store_true')
     p.add_argument('--verbose', action='store_true')
     p.add_argument('--report', action='store_true')
@@ -420,7 +467,6 @@ def options():
     o.rooms = [r for r in ROOMS if r in o.rooms.split()] or o.rooms.split()
     o.files, o.objects, o.extra = o.files.split(), o.objects.split(), o.extra.split()
     o.tables = sorted(listed('golden', ends='.tsv')) if o.tables is None else o.tables.split()
-    modules = {os.path.basename(p)[:-4] for p in o.objects} if False else None
     o.tables = [t for t in o.tables if os.path.dirname(t) == 'golden']
     o.corpus = sorted(os.path.join(d, f) for d, _, fs in os.walk('fuzz/corpus') for f in fs) if o.corpus is None else o.corpus.split()
     a, b = o.sample.split('/')
@@ -448,17 +494,25 @@ def main():
     chosen = [m for m in mutants if selected(o, m)]
     say('%d mutants in %d files%s' % (len(mutants), len(units), '' if len(chosen) == len(mutants) else ', %d chosen' % len(chosen)))
     if not o.report:
-        program, _, others = build(o, units)
-        seen, tests = watch(o, program, units, others)
-        try_all(o, program, seen, tests, chosen, answers, path)
+        seen = {}
+        for phase in o.phases.split():
+            program, others = build(o, units, phase)
+            kind = 'memory' if phase == 'memory' else 'test'
+            if kind not in seen:
+                watcher, others = (program, others) if phase == kind else build(o, units, kind)
+                seen[kind] = watch(o, watcher, units, others, kind)
+            try_all(o, program, *seen[kind], chosen, answers, path, phase)
     per_file, counts, lines, share, unused = report(o, chosen, answers)
     for line in lines:
         print(line)
-    print('%-32s %8s %8s %8s %8s' % ('file', 'mutants', 'killed', 'equal', 'alive'))
+    print('%-30s %8s %8s %8s %8s %8s %8s' % ('file', 'mutants', 'killed', 'memory', 'asan', 'equal', 'alive'))
     for f, c in per_file.items():
-        print('%-32s %8d %8d %8d %8d' % (f, c['all'], c['killed'], c['equivalent'] + c['memory'] + c['speed'], c['open'] + c['unexplained']))
-    print('%d mutants, %d killed, %d equivalent, %d known to be open, %d unexplained, %d not tried: %.2f %% of those that are not equivalent are killed'
-          % (len(chosen), counts['killed'], counts['equivalent'] + counts['memory'] + counts['speed'], counts['open'], counts['unexplained'], counts['untried'], share))
+        print('%-30s %8d %8d %8d %8d %8d %8d' % (f, c['all'], c['by test'], c['by memory'], c['by asan'], c['equivalent'] + c['memory'] + c['speed'],
+                                                 c['open'] + c['unexplained']))
+    same = counts['equivalent'] + counts['memory'] + counts['speed']
+    print('%d mutants: %d killed by make test, %d by refused memory, %d by the sanitizers, %d equivalent, %d known to be open, %d unexplained, %d not tried'
+          % (len(chosen), counts['by test'], counts['by memory'], counts['by asan'], same, counts['open'], counts['unexplained'], counts['untried']))
+    print('%.2f %% of those that are not equivalent are killed by make test, %.2f %% by make check' % tuple(share))
     if counts['unexplained']:
         print('FAIL mutants: %d survivors that tests/mutants/explained.tsv does not explain' % counts['unexplained'])
         raise SystemExit(1)

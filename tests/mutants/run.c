@@ -5,7 +5,8 @@
  * run --kill FOLDER SECONDS        the mutants named on the standard input, a line each; a line of answer each
  *
  * A mutant is a number of its point's table (see mutants.h); each is tried in a child of its own, which stops at the first test that notices.
- * Tables, corpora and shares come from the files named in the environment's ET_TABLES and ET_CORPUS (blanks between them).
+ * Tables and corpora are the files named in the environment's ET_TABLES and ET_CORPUS, blanks between them; ET_MOST is how many cases that differ are
+ * tried of each unit, for a quick look.
  */
 #define _DEFAULT_SOURCE
 #include "mutants.h"
@@ -25,12 +26,18 @@
 #include <unistd.h>
 
 enum { CASES = 1000, UNITS = 4096, NAME = 128, MODULE = 32, STAGES = 4 };
-static const size_t limits[STAGES] = { 2, 20, 200, SIZE_MAX };
+static size_t limits[STAGES] = { 2, 20, 200, SIZE_MAX };
 
 extern const et_points *const et_files[];       /* generated; ends with null */
 extern const unsigned et_mutants;               /* how many, numbered through all files */
 
-typedef enum { PROPERTY, CORPUS, GOLDEN, TRUTH } kind;
+/* Of memory.c, or of what is linked in its place. */
+size_t et_memory_cases(const char *folder);
+int et_memory_fails(size_t k);
+/* Of the sanitizer, where there is one. */
+extern int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
+
+typedef enum { PROPERTY, CORPUS, GOLDEN, TRUTH, MEMORY } kind;
 typedef struct {
     kind is;
     char name[NAME], module[MODULE];
@@ -50,7 +57,7 @@ typedef struct {
 } board;
 
 static unit units[UNITS];
-static size_t nunits;
+static size_t nunits, runs;                     /* runs: only so many cases of each property, ET_RUNS */
 static gen *source;
 static board *shared;
 
@@ -191,6 +198,8 @@ static verdict run_case(const unit *u, size_t i)
         gen_from_seed(source, case_seed(u->p->name, 1, i));
         return u->p->run(source);
     }
+    if (u->is == MEMORY)
+        return et_memory_fails(i) ? FAIL : PASS;
     return u->is == CORPUS ? run_corpus(u, i) : run_row(u, i);
 }
 
@@ -272,6 +281,9 @@ static void add_units(void)
         u->p = p;
         u->cases = (CASES + p->in - 1) / p->in;
     }
+    const size_t calls = et_memory_cases(getenv("ET_MEMORY"));
+    if (calls > 0)
+        add_unit(MEMORY, "", "memory", 6)->cases = calls;
     each_word(getenv("ET_CORPUS"), add_case);
     each_word(getenv("ET_TABLES"), add_table);
 }
@@ -426,7 +438,7 @@ static bool is_own(const unit *u, const char *path)
     const char *name = last_part(path);
     const size_t n = strcspn(name, "_.");
 
-    if (strstr(path, "src/exact/") && u->is == TRUTH)
+    if (u->is == MEMORY || (strstr(path, "src/exact/") && u->is == TRUTH))
         return true;
     if (strcmp(name, "winner.h") == 0)
         return strcmp(u->module, "som") == 0 || strcmp(u->module, "quality") == 0;
@@ -456,6 +468,8 @@ static bool try_cases(trial *t, size_t limit, double until)
 
     limit_case(0.3 + 5 * u->longest);
     for (; t->next < u->cases && t->tried < limit; t->next++) {
+        if (u->is == PROPERTY && runs > 0 && t->next * u->p->in >= runs)
+            continue;
         if (!(t->bits[t->next / 8] >> t->next % 8 & 1))
             continue;
         shared->at = (unsigned)t->next;
@@ -468,6 +482,8 @@ static bool try_cases(trial *t, size_t limit, double until)
         if (now(CLOCK_PROCESS_CPUTIME_ID) > until)
             return false;
     }
+    if (t->next == u->cases && __lsan_do_recoverable_leak_check && __lsan_do_recoverable_leak_check() != 0)
+        return true;
     return t->next == u->cases && u->is == PROPERTY && (u->skips + t->skips) * 10 > u->cases * 9;
 }
 
@@ -504,7 +520,7 @@ static void try_mutant(unsigned m, const char *path, double budget)
             for (size_t i = 0; i < n && shared->done == 2; i++)
                 if (trials[i].own) {
                     shared->unit = (unsigned)(trials[i].u - units);
-                    if (try_cases(&trials[i], SIZE_MAX, 1e9))
+                    if (try_cases(&trials[i], limits[STAGES - 1], 1e9))
                         shared->done = 1;
                 }
     }
@@ -584,6 +600,10 @@ int main(int argc, char **argv)
     off = need(calloc(et_mutants + 1, sizeof *off));
     shared = mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     add_units();
+    if (getenv("ET_RUNS"))
+        runs = (size_t)strtoull(getenv("ET_RUNS"), NULL, 0);
+    if (getenv("ET_MOST"))
+        limits[STAGES - 1] = (size_t)strtoull(getenv("ET_MOST"), NULL, 0);
     if (argc > 1 && strcmp(argv[1], "--list") == 0) {
         for (size_t i = 0; i < nunits; i++)
             printf("%s\t%s\t%zu\n", units[i].name, units[i].module, units[i].cases);
@@ -591,7 +611,7 @@ int main(int argc, char **argv)
     }
     if (argc > 2 && strcmp(argv[1], "--watch") == 0)
         return watch(argv[2], argv + 3);
-    if (argc > 3 && strcmp(argv[1], "--kill") == 0)
+    if (argc > 3 && strcmp(argv[1], "--kill") == 0 && nunits > 0)
         return kill_all(argv[2], strtod(argv[3], NULL));
     fputs("run --list | --watch FOLDER [UNIT...] | --kill FOLDER SECONDS\n", stderr);
     return 2;
