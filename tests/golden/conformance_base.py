@@ -60,6 +60,9 @@ class Operation:
         self.numbers[category] = self.numbers.get(category, 0) + 1
         v = {"id": "%s/%s/%d" % (self.name, category, self.numbers[category]), "category": category, "validity": validity, "request": request}
         if want is not None:
+            if any(b and b[1] == INF and not isinf(nearest(F(w))) for w, b in zip(want, bound)) and not self.name.endswith("nearest"):
+                self.numbers[category] -= 1          # a right value, but no bound: of no use to anybody
+                return
             want, bound, condition = written(want, bound)
             v["want"], v["bound"] = want, bound
             if left is not None:
@@ -203,7 +206,7 @@ class Curve:
             K = 16 * (self.p + e + 2)
             M = [sum(m * a[c] for m, a in zip(at.M[e], A)) for c in range(4)]
             G = [1 + sum(s * a[c] for s, a in zip(at.S[e], A)) for c in range(4)]
-            out[(e,)] = ([sum(n * h[c] for n, h in zip(at.N[e], H)) for c in range(4)], [up(K * U * m + K * LEAST * g, 80) for m, g in zip(M, G)], M, K)
+            out[(e,)] = ([sum(n * h[c] for n, h in zip(at.N[e], H)) for c in range(4)], [error(K, m, g) for m, g in zip(M, G)], M, K)
         return out
 
 
@@ -229,8 +232,13 @@ class Surface:
             for e in range(d + 1 - f):
                 K = 16 * (self.p + self.q + e + f + 2)
                 M, G = outer(a.M[e], size), outer(a.S[e], small)
-                out[e, f] = (outer(a.N[e], value), [up(K * U * m + K * LEAST * (1 + g), 80) for m, g in zip(M, G)], M, K)
+                out[e, f] = (outer(a.N[e], value), [error(K, m, 1 + g) for m, g in zip(M, G)], M, K)
         return out
+
+
+def error(K, m, g):
+    """K u m + K eta g; infinite where a sum on the way is beyond the range of doubles."""
+    return INF if max(m, g) >= F(2)**1023 else up(K * U * m + K * LEAST * g, 80)
 
 
 def inner(N, H):
@@ -260,6 +268,8 @@ def divided(orders, rational):
         if not rational:
             D[a], B[a] = value[1:], E[1:]
             continue
+        if INF in E:
+            return None, None
         zero = tuple(0 for _ in a)
         (W0, *_), (E0, *_), (M0, *_), _ = orders[zero]
         D[a], B[a] = [], []
@@ -301,7 +311,7 @@ def knots_kind(p, u):
     lo, hi = domain(u, p)
     if lo >= hi:
         return INVALID
-    if u[0] != lo or u[-1] != hi or any(a == b for a, b in zip(u, u[p + 2:])):
+    if u[0] != lo or u[-1] != hi or any(a == b for a, b in zip(u, u[p + 1:])):
         return DEFINED
     return VALID if measurable(u) else DEFINED
 

@@ -3,12 +3,12 @@ from fractions import Fraction as F
 from itertools import combinations
 from math import isinf
 
-from conformance_base import (DEFINED, INF, INVALID, LEAST, NAN, U, VALID, Choices, Count, Curve, Operation, Surface, after, before, curve_kind, domain, fits,
-                              number, place_kind, surface_kind, sure, worse)
+from conformance_base import (DEFINED, INF, INVALID, LEAST, NAN, U, VALID, Choices, Count, Curve, Operation, Surface, after, curve_kind, domain, fits, number,
+                              surface_kind, sure, worse)
 from conformance_evaluate import ARC, CIRCLE, CIRCLE_P, CIRCLE_W, GEOMDL, collapsed, cone, hemisphere
 from conformance_inputs import (at_knot, bad_knots, beside_knot, curve, extreme_knots, inside, near_knots, not_clamped, outside, plain_knots, repeated_knots,
                                 surface)
-from knots_of import clamped, inner_knots
+from knots_of import clamped
 from rational import nearest
 
 
@@ -139,7 +139,14 @@ def place_to_insert(u, p, x, r):
     if not number(x):
         return INVALID
     lo, hi = domain(u, p)
-    return VALID if lo <= x <= hi and sum(t == x for t in u) + r <= p + 1 else INVALID
+    if not lo <= x <= hi or sum(t == x for t in u) + r > p + 1:
+        return INVALID
+    return DEFINED if too_near(u, x, r) else VALID
+
+
+def too_near(u, x, r):
+    """The new knot would be closer than 2^-1022 to another one: there is no right value then."""
+    return r > 0 and number(x) and all(map(number, u)) and any(0 < abs(F(t) - F(x)) < F(2)**-1022 for t in u)
 
 
 def place_to_remove(u, p, x, tol):
@@ -160,8 +167,9 @@ def give(op, category, args, kind, right, result, issue, comment):
 
 
 def is_clamped(u, p):
+    """And no knot stands more than p + 1 times."""
     lo, hi = domain(u, p)
-    return u[0] == lo and u[-1] == hi
+    return u[0] == lo and u[-1] == hi and not any(a == b for a, b in zip(u, u[p + 1:]))
 
 
 def curve_insert(op, category, c, x, r, issue=None, comment=None):
@@ -172,7 +180,7 @@ def curve_insert(op, category, c, x, r, issue=None, comment=None):
     def result():
         u, C = insert(c.u, c.p, coefficients(c.P, c.w), x, r)
         return reply_of([c.p], [u], C, bool(c.w), 16 * (c.p + r + 1))
-    give(op, category, [c.args(), x, r], kind, sure(kind, c.u, w=c.w) and c.p, result, issue, comment)
+    give(op, category, [c.args(), x, r], kind, sure(kind, c.u, w=c.w) and c.p and not too_near(c.u, x, r), result, issue, comment)
 
 
 def curve_elevate(op, category, c, r, issue=None, comment=None):
@@ -258,7 +266,8 @@ def surface_insert(op, category, s, along, x, r, **more):
     def work(u, p, lines):
         done = [insert(u, p, C, x, r) for C in lines]
         return p, done[0][0], [C for _, C in done], lambda d, k, C: reply_of(d, k, C, bool(s.w), 16 * (p + r + 1))
-    edited(op, category, s, along, [x, r], lambda u, p: place_to_insert(u, p, x, r), work, **more)
+    edited(op, category, s, along, [x, r], lambda u, p: place_to_insert(u, p, x, r), work,
+           right=not too_near(s.u if along == "u" else s.v, x, r), **more)
 
 
 def surface_elevate(op, category, s, along, r, **more):
@@ -587,5 +596,3 @@ def surface_removals():
         surface_remove(op, "bad_input", Surface(2, 1, bad, clamped(1, []), [(1.0, 2.0, 3.0)] * 8), "u", 0.5, 1, 0.0, comment=what)
     return op
 
-
-__all__ = ["before", "inner_knots", "place_kind"]

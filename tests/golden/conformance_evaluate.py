@@ -1,10 +1,8 @@
 """conformance_evaluate: frozen vectors of spans, multiplicities, Greville points, bases, points, derivatives and normals."""
 from fractions import Fraction as F
 
-from math import isinf
-
 from conformance_base import (DEFINED, INF, INVALID, LEAST, NAN, SIDES, U, VALID, Choices, Count, Curve, Local, Operation, Surface, after, before, curve_kind,
-                              divided, domain, fits, jumps, knots_kind, number, place_kind, reals, sequence, spans, sure, surface_kind, upward, worse)
+                              divided, domain, error, fits, jumps, knots_kind, number, place_kind, reals, sequence, spans, sure, surface_kind, worse)
 from conformance_inputs import (at_end, at_knot, bad_knots, beside_knot, control, curve, extreme_knots, inside, near_knots, not_clamped, outside,
                                 plain_knots, repeated_knots, surface)
 from knots_of import BASES, clamped, high_degrees, inner_knots
@@ -26,7 +24,7 @@ def row(u, p, x, side, d):
         w, b = [F(0)] * zeros, [(K, K * LEAST * 2)] * zeros
         for r in range(p + 1):
             w[at.first + r] = at.N[e][r]
-            b[at.first + r] = (K, K * U * at.M[e][r] + K * LEAST * (1 + at.S[e][r]))
+            b[at.first + r] = (K, error(K, at.M[e][r], 1 + at.S[e][r]))
         want += w
         bound += b
     return want, bound
@@ -45,7 +43,7 @@ def give(op, category, args, kind, result, issue, comment):
     right, left = result
     if right[0] is None:
         return
-    if not fits(right[0]) or any(isinf(upward(B)) for K, B in right[1]):
+    if not fits(right[0]):
         kind = worse(kind, DEFINED)
     extra = {"left": left[0], "left_bound": left[1]} if left else {}
     op.add(category, args, kind, right[0], right[1], issue=issue, comment=comment, **extra)
@@ -549,7 +547,7 @@ def normal_of(s, x, y, side):
     for t in exact:
         r = nearest(root(t * t / l2, 2, 120)[0])
         n.append(-r if t < 0 else r)
-    if not fits(D[1, 0] + D[0, 1]):
+    if not fits(D[1, 0] + D[0, 1]) or any(B == INF for _, B in E[1, 0] + E[0, 1]):
         return None
     a, b = [F(nearest(t)) for t in D[1, 0]], [F(nearest(t)) for t in D[0, 1]]
     alpha, beta = [B for _, B in E[1, 0]], [B for _, B in E[0, 1]]
@@ -559,11 +557,11 @@ def normal_of(s, x, y, side):
         e.append(abs(a[i]) * beta[j] + alpha[i] * abs(b[j]) + abs(a[j]) * beta[i] + alpha[j] * abs(b[i])
                  + K * U * (abs(a[i] * b[j]) + abs(a[j] * b[i])) + K * LEAST)
     length = root(sum(t * t for t in cross(a, b)), 2, 120)[0]
-    if length == 0:
-        return None
+    if any(p and not F(2)**-400 < p < F(2)**480 for p in map(abs, a + b)) or length == 0:
+        return None                              # products of doubles near the ends of their range
     m = [abs(F(t)) for t in n]
     along = sum(p * q for p, q in zip(m, e))
-    return n, [(K, (p + q * along) / length + K * U * q + K * LEAST) for p, q in zip(e, m)], length > sum(e)
+    return n, [(K, (p + q * along) / length + K * U * q + K * LEAST) for p, q in zip(e, m)], length > 2**10 * sum(e)
 
 
 def cross(a, b):

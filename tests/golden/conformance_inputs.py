@@ -1,6 +1,6 @@
 """conformance_inputs: knots, parameters, control points and weights by category, for the generators of frozen vectors."""
 from conformance_base import INF, NAN, Curve, Surface, after, before, domain
-from knots_of import ULP, clamped, inner_knots, near, scaled
+from knots_of import clamped, inner_knots, near, scaled
 
 # Coordinates: few digits wherever digits do not matter, so that people can read the files.
 COORDINATES = {"short": lambda c: (c.upto(64) - 32) / 8.0, "real": lambda c: c.real(-1, 1), "far": lambda c: 1e9 + c.upto(64) / 64.0,
@@ -114,11 +114,6 @@ def outside(c, u, p):
     return c.of((before(lo), after(hi), lo - 0.5 * (hi - lo), hi + (hi - lo), hi + 1e-9 * (hi - lo)))
 
 
-def clamp_in(x, u, p):
-    lo, hi = domain(u, p)
-    return min(max(x, lo), hi)
-
-
 def bad_knots(u, p):
     """(what, knots) that no curve has; |u| and degree kept where that can be."""
     mid = len(u) // 2
@@ -132,5 +127,3 @@ def bad_knots(u, p):
     yield "knots decrease by one ulp", u[:-1] + [before(u[-1])]
     yield "an empty domain", [u[0]] * len(u)
 
-
-__all__ = ["ULP"]
