@@ -160,7 +160,8 @@ static double coefficient(const judge_net *net, size_t at, size_t component)
 void judge_net_sums(double *M, double *E, const judge_net *net, size_t a, size_t b, size_t component)
 {
     const judge_line *u = &net->u, *v = &net->v;
-    const double *mu = u->m + a * (u->p + 1), *su = u->s + a * (u->p + 1), *mv = v->m + b * (v->p + 1), *sv = v->s + b * (v->p + 1);
+    const double *mu = u->m + a * (u->p + 1), *su = u->s + a * (u->p + 1);
+    const double *mv = net->curve ? NULL : v->m + b * (v->p + 1), *sv = net->curve ? NULL : v->s + b * (v->p + 1);
     const double K = judge_net_k(net, a, b);
     double m = 0, U = 1;
 
