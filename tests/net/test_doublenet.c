@@ -265,6 +265,11 @@ verdict prop_doublenet_adjacent(gen *g)
     if (!gen_check(g, et_doublenet_adjacent(a, b) == want && et_doublenet_adjacent(b, a) == want, "(%zu,%zu,%zu), (%zu,%zu,%zu): %d", a.i, a.j, a.k,
                    b.i, b.j, b.k, want))
         return FAIL;
+    /* Distances whose sum is 2^64 or 2^64 + 1. */
+    const et_index edge = {0, a.j, a.k}, around = {SIZE_MAX, a.j + gen_between(g, 1, 2), a.k};
+    const et_index side = {a.i, 0, a.k}, behind = {a.i + gen_between(g, 1, 2), SIZE_MAX, a.k};
+    if (!gen_check(g, !et_doublenet_adjacent(edge, around) && !et_doublenet_adjacent(behind, side), "a sum that wraps"))
+        return FAIL;
     return gen_check(g, !et_doublenet_adjacent(a, far) && !et_doublenet_adjacent(wide, a) && et_doublenet_adjacent(a, a), "far and itself") ? PASS
                                                                                                                                             : FAIL;
 }
