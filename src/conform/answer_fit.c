@@ -37,7 +37,8 @@ static et_status rows_make(rows *r, const double *u, size_t nu, size_t p, const 
     const size_t nwork = et_basis_work(p, 0);
     double *work = et_size_array(nwork, sizeof *work);
     site *sites = et_size_array(m, sizeof *sites);
-    const rows made = { m, nu - p - 1, p + 1, et_size_array(m, (p + 1) * sizeof(double)), et_size_array(m, sizeof(size_t)), et_size_array(m, sizeof(size_t)) };
+    const rows made = { m, nu - p - 1, p + 1, et_size_array(m, (p + 1) * sizeof(double)), et_size_array(m, sizeof(size_t)),
+                        et_size_array(m, sizeof(size_t)) };
     const int ok = work && sites && made.a && made.start && made.order;
 
     *r = made;
@@ -226,8 +227,8 @@ et_status answer_fit(et_reply *reply, const et_request *request)
     else if (request->op == ET_OP_FIT_SCATTERED)
         status = fit_scattered(P, a);
     else
-        status = fit_grid(P, a[2].x, a[2].count, a[0].count, a[3].x, a[3].count, a[1].count, a[4].x, a[4].count, a[5].x, a[5].count, (et_vec3 *)a[6].x,
-                          request->arg[0].count == 1);
+        status = fit_grid(P, a[2].x, a[2].count, a[0].count, a[3].x, a[3].count, a[1].count, a[4].x, a[4].count, a[5].x, a[5].count,
+                          (et_vec3 *)a[6].x, request->arg[0].count == 1);
     if (status == ET_OK)
         status = et_reply_put(reply, &P->x, 3 * n);
     free(P);

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const verdicts[] = { "correctly_rounded", "within_bound", "inaccurate", "wrong", "non_finite", "wrongly_accepted", "wrongly_refused",
-                                        "crash", "timeout", "nondeterministic", "unsupported" };
+static const char *const verdicts[] = { "correctly_rounded", "within_bound", "inaccurate", "wrong", "non_finite", "wrongly_accepted",
+                                        "wrongly_refused", "crash", "timeout", "nondeterministic", "unsupported" };
 static const char *const validities[] = { "valid", "implementation_defined", "invalid" };
 
 const char *et_judge_name(et_verdict verdict)

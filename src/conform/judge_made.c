@@ -100,7 +100,8 @@ et_status judge_fitted(judge_list *list, const et_request *request)
         for (size_t i = 0; i < size.n; i++)
             for (size_t c = 0; c < 3; c++) {
                 const double X = judge_coordinate(&lsq.solution, c), r = judge_coordinate(&lsq.residual, c);
-                judge_put_bound(list, judge_coordinate(&P[i], c), ku * (judge_times(K, X) + judge_times(K * K, r / lsq.norm)) + size.k * eta * (1 + K * K), ku);
+                const double B = ku * (judge_times(K, X) + judge_times(K * K, r / lsq.norm)) + size.k * eta * (1 + K * K);
+                judge_put_bound(list, judge_coordinate(&P[i], c), B, ku);
             }
     }
     free(P);
@@ -141,6 +142,8 @@ static et_status nearest(judge_list *list, const et_request *request)
 
     if (status == ET_OK)
         status = of_curve ? et_exact_curve_nearest(at, &distance, &lower, &c, *P) : et_exact_surface_nearest(at, &distance, &lower, &s, *P);
+    if (status == ET_OK)
+        status = judge_distance_at(&distance, request, at);
     if (status != ET_OK)
         return status;
     for (size_t k = 0; k < (of_curve ? 1u : 2u); k++)

@@ -195,7 +195,8 @@ static double binomial(size_t n, size_t k)
 }
 
 /* The B of (a, b), those of lower orders being known; M and E of w stand at Mw and Ew. */
-static double rational_bound(const double *B, const judge_net *net, const et_vec3 *C, const double *Mw, const double *Ew, size_t a, size_t b, size_t c)
+static double rational_bound(const double *B, const judge_net *net, const et_vec3 *C, const double *Mw, const double *Ew, size_t a, size_t b,
+                             size_t c)
 {
     double M, sum;
 

@@ -85,8 +85,11 @@ et_status judge_fitted(judge_list *list, const et_request *request);
 et_status judge_measured(judge_list *list, const et_request *request);
 /* D of a nearest point, and what the answered distance may be off from the one at the answered parameters. */
 double judge_nearest_bound(double *own, const et_request *request, double distance);
+/* The distance of the point asked for from the one at the parameters x, rounded once. */
+et_status judge_distance_at(double *distance, const et_request *request, const double *x);
 et_status judge_counted(judge_list *list, const et_request *request);
-/* left[0], left[1]: which limits the request's sides mean, any being the one from the left where any_u, any_v say so.  The result has bit i if side i is any. */
+/* left[0], left[1]: which limits the request's sides mean, any being the one from the left where any_u, any_v say so.  The result has bit i if side i
+ * is any. */
 int judge_sides(int left[2], const et_request *request, int any_u, int any_v);
 /* 1 if a parameter is a knot inside the domain, where limits may differ. */
 int judge_at_knot(const et_request *request);

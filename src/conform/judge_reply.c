@@ -50,7 +50,8 @@ static void tell(et_judgement *j, const et_request *request, const double *want)
     else if (j->bound == 0)
         judge_say(j, j->verdict, "%s is %.17g, should be %.17g", name, j->got, j->want);
     else
-        judge_say(j, j->verdict, "%s is %a, should be %a (%.17g instead of %.17g): %.3g bounds off", name, j->got, j->want, j->got, j->want, j->ratio);
+        judge_say(j, j->verdict, "%s is %a, should be %a (%.17g instead of %.17g): %.3g bounds off", name, j->got, j->want, j->got, j->want,
+                  j->ratio);
 }
 
 void judge_compare(et_judgement *judgement, const et_request *request, const double *got, const double *want, const double *bound, size_t n)

@@ -94,7 +94,7 @@ static et_status match_weights(judge_shape *got, const judge_shape *want, double
 }
 
 /* got becomes a reply in the order of want. */
-static et_status compare_shapes(et_judgement *j, const et_request *request, const et_truth *truth, judge_shape *got, const judge_shape *want, size_t ahead)
+static et_status compare_shapes(et_judgement *j, const et_request *request, const et_truth *truth, judge_shape *got, const judge_shape *want)
 {
     et_reply aligned = { ET_REPLY_OK, 0, NULL, "" };
     judge_shape f;
@@ -108,8 +108,6 @@ static et_status compare_shapes(et_judgement *j, const et_request *request, cons
         judge_say(j, ET_VERDICT_WRONG, "weights of a polynomial that are not all equal");
         return ET_OK;
     }
-    if (status == ET_OK)
-        status = et_reply_put(&aligned, truth->want, ahead);
     if (status == ET_OK)
         status = put_shape(&aligned, got);
     if (status == ET_OK && aligned.count == truth->count)
@@ -148,7 +146,7 @@ et_status judge_edit(et_judgement *j, const et_request *request, const et_truth 
     status = read_shape(&got, reply, 0, curve);
     if (status == ET_OK) {
         if (same_sizes(j, &got, &want))
-            status = compare_shapes(j, request, truth, &got, &want, 0);
+            status = compare_shapes(j, request, truth, &got, &want);
         judge_shape_free(&got);
     } else {
         status = no_shape(j, reply, status);
@@ -289,10 +287,12 @@ static et_status apart(double *distance, const judge_shape *a, const judge_shape
 {
     et_vec3 A, B;
     const et_side s[2] = { left[0] ? ET_SIDE_LEFT : ET_SIDE_RIGHT, left[1] ? ET_SIDE_LEFT : ET_SIDE_RIGHT };
-    et_status status = a->curve ? et_exact_curve_ders_side(&A, 0, &a->c, x[0], s[0]) : et_exact_surface_partials(&A, 0, &a->s, x[0], x[1], s[0], s[1]);
+    et_status status = a->curve ? et_exact_curve_ders_side(&A, 0, &a->c, x[0], s[0])
+                                : et_exact_surface_partials(&A, 0, &a->s, x[0], x[1], s[0], s[1]);
 
     if (status == ET_OK)
-        status = b->curve ? et_exact_curve_ders_side(&B, 0, &b->c, x[0], s[0]) : et_exact_surface_partials(&B, 0, &b->s, x[0], x[1], s[0], s[1]);
+        status = b->curve ? et_exact_curve_ders_side(&B, 0, &b->c, x[0], s[0])
+                          : et_exact_surface_partials(&B, 0, &b->s, x[0], x[1], s[0], s[1]);
     if (status == ET_OK)
         *distance = et_exact_vec3_distance(A, B);
     return status;
@@ -373,7 +373,8 @@ static et_status proofs(et_judgement *j, const removal *r, const judge_shape *go
     if (least > r->allowed + r->slack) {
         j->ratio = (least - r->e.tolerance) / r->slack;
         j->got = least;
-        judge_say(j, j->ratio <= 0x1p20 ? ET_VERDICT_INACCURATE : ET_VERDICT_WRONG, "after removal a point is %.6g away, allowed are %.6g", least, r->allowed);
+        judge_say(j, j->ratio <= 0x1p20 ? ET_VERDICT_INACCURATE : ET_VERDICT_WRONG, "after removal a point is %.6g away, allowed are %.6g", least,
+                  r->allowed);
     }
     return ET_OK;
 }
@@ -448,7 +449,7 @@ static et_status distance_to(double *distance, const et_surface *s, const double
     return status;
 }
 
-static et_status distance_at(double *distance, const et_request *request, const double *x)
+et_status judge_distance_at(double *distance, const et_request *request, const double *x)
 {
     const double at[2] = { x[0], request->op == ET_OP_CURVE_NEAREST ? 0 : x[1] };
     et_curve c;
@@ -505,7 +506,7 @@ et_status judge_nearest(et_judgement *j, const et_request *request, const et_tru
     if (!in_domain(j, request, reply->x))
         return ET_OK;
     const double got = reply->x[n];
-    const et_status status = distance_at(&here, request, reply->x);
+    const et_status status = judge_distance_at(&here, request, reply->x);
     if (status != ET_OK)
         return status;
     judge_nearest_bound(&own, request, least);
@@ -523,8 +524,8 @@ et_status judge_nearest(et_judgement *j, const et_request *request, const et_tru
     if (!isfinite(got))
         judge_say(j, j->verdict, "the distance is %a, should be %a (%.17g)", got, least, least);
     else if (et_judge_bad(j->verdict) && false_by > off)
-        judge_say(j, j->verdict, "the distance is said to be %a, at that parameter it is %a (%.17g instead of %.17g): %.3g bounds off", got, here, got, here,
-                  j->ratio);
+        judge_say(j, j->verdict, "the distance is said to be %a, at that parameter it is %a (%.17g instead of %.17g): %.3g bounds off", got, here,
+                  got, here, j->ratio);
     else if (et_judge_bad(j->verdict))
         judge_say(j, j->verdict, "a point %a (%.17g) away, the nearest is %a (%.17g): %.3g bounds off", here, here, least, least, j->ratio);
     return ET_OK;

@@ -139,7 +139,8 @@ static void put_normal(judge_list *list, const et_vec3 *n, const et_vec3 D[3], c
 
     for (size_t c = 0; c < 3; c++) {
         const size_t y = (c + 1) % 3, z = (c + 2) % 3;
-        const double ay = judge_coordinate(&D[1], y), az = judge_coordinate(&D[1], z), by = judge_coordinate(&D[2], y), bz = judge_coordinate(&D[2], z);
+        const double ay = judge_coordinate(&D[1], y), az = judge_coordinate(&D[1], z);
+        const double by = judge_coordinate(&D[2], y), bz = judge_coordinate(&D[2], z);
         cross[c] = difference(ay, bz, az, by);
         e[c] = judge_times(fabs(ay), B[6 + z]) + judge_times(B[3 + y], fabs(bz)) + judge_times(fabs(az), B[6 + y]) + judge_times(B[3 + z], fabs(by))
              + K * ET_UNIT * (fabs(ay * bz) + fabs(az * by)) + K * eta;
