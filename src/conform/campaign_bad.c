@@ -25,8 +25,8 @@ static int resize(campaign_maker *m, int k, size_t n, size_t width)
 
 static double broken(campaign_maker *m)
 {
-    const size_t kind = campaign_pick(m, 3);
-    return kind == 0 ? NAN : kind == 1 ? HUGE_VAL : -HUGE_VAL;
+    const size_t kind = campaign_pick(m, 4);
+    return kind < 2 ? NAN : kind == 2 ? HUGE_VAL : -HUGE_VAL;
 }
 
 /* One of the numbers becomes NaN or infinite. */

@@ -33,8 +33,8 @@ size_t campaign_degree(campaign_maker *m, size_t axis, size_t least, size_t most
     static const size_t often[] = {3, 2, 1, 3, 4, 2, 5, 3};
     const size_t limit = m->hello->degree < most ? m->hello->degree : most;
     size_t p = often[campaign_pick(m, 8)];
-    if (m->category == ET_CATEGORY_DEGREES && axis == m->number / 2 % 2 % (m->layout->axes > 1 ? 2 : 1)) {
-        p = (size_t)(m->number * 7 % 26);          /* 0, 7, 14, 21, 2, ...: all in 26 cases */
+    if (m->category == ET_CATEGORY_DEGREES && axis == m->number % (m->layout->axes > 1 ? 2 : 1)) {
+        p = (size_t)((m->number * 9 + 12) % 26);   /* 12, 21, 4, 13, 22, ...: all in 26 cases */
     } else if (m->category == ET_CATEGORY_DEGREES) {
         p = 1 + campaign_pick(m, 3);
     }
@@ -99,7 +99,7 @@ static void near_breaks(campaign_maker *m, double *b, size_t spans)
 static void breaks(campaign_maker *m, double *b, size_t spans)
 {
     const size_t style = m->exact || m->category == ET_CATEGORY_SIZE ? 0 : campaign_pick(m, 4);
-    const int zero = m->category == ET_CATEGORY_NEAR_KNOTS && campaign_kind(m, 4) == 3;
+    const int zero = m->category == ET_CATEGORY_NEAR_KNOTS && campaign_kind(m, 4) == 1;
     const double shift = zero ? -(double)(1 + campaign_pick(m, spans - 1)) : style == 3 ? campaign_real(m, -4.0, 4.0) : 0.0;
     b[0] = shift;
     for (size_t i = 1; i <= spans; i++) {
@@ -134,7 +134,7 @@ static size_t multiplicity(campaign_maker *m, size_t p, size_t i)
         k = turn % 4 == 1 ? most : turn % 4 == 2 ? p : 1 + campaign_pick(m, most);
     } else if (campaign_pick(m, 6) == 0) {
         k = 1 + campaign_pick(m, p);
-    } else if (m->category == ET_CATEGORY_NEAR_KNOTS && campaign_kind(m, 4) == 3) {
+    } else if (m->category == ET_CATEGORY_NEAR_KNOTS && campaign_kind(m, 4) == 1) {
         k = p < 2 ? p : 2;
     }
     return k < least ? least : k > most ? most : k;
@@ -186,7 +186,7 @@ campaign_basis campaign_knots(campaign_maker *m, size_t axis, size_t p, size_t s
     if (m->category == ET_CATEGORY_END_OF_DOMAIN && kind == 7 && !m->smooth && m->layout->times < 0 && axis == 0) {
         unclamp(&b);
     }
-    if (m->category == ET_CATEGORY_NEAR_KNOTS && campaign_kind(m, 4) == 3) {
+    if (m->category == ET_CATEGORY_NEAR_KNOTS && campaign_kind(m, 4) == 1) {
         signs(&b);
     }
     return b;
@@ -236,8 +236,8 @@ static double at_end(campaign_maker *m, const campaign_basis *b, size_t kind)
     const double lo = b->u[b->p], hi = b->u[b->n];
     switch (kind) {
     case 0: return hi;
-    case 1: return lo;
-    case 2: return beside(m, hi, -1.0, hi - lo);
+    case 1: return beside(m, hi, -1.0, hi - lo);
+    case 2: return lo;
     case 3: return beside(m, lo, 1.0, hi - lo);
     case 4: return b->u[b->n - 1] + (hi - b->u[b->n - 1]) * campaign_real(m, 0.0, 1.0);
     case 5: return beside(m, hi, 1.0, hi - lo);                       /* outside: implementation-defined */
@@ -267,7 +267,7 @@ static double near_knot(campaign_maker *m, const campaign_basis *b)
     }
     const double x = b->u[campaign_pick(m, 3) ? k + campaign_pick(m, 2) : b->p + campaign_pick(m, b->n - b->p + 1)];
     const size_t turn = (campaign_kind(m, 12) / 4 + campaign_pick(m, 2)) % 3;
-    if (x == 0.0 && turn != 1) {
+    if (campaign_kind(m, 4) == 1 && lo < 0.0 && campaign_pick(m, 3)) {
         return campaign_pick(m, 2) ? 0.0 : -0.0;
     }
     const double y = turn == 0 ? x : beside(m, x, turn == 1 ? 1.0 : -1.0, hi - lo);
@@ -301,7 +301,7 @@ int campaign_side(campaign_maker *m)
 {
     const int offered[3] = {m->hello->any, m->hello->right, m->hello->left};
     int side[3], n = 0;
-    for (int k = 0; k < 3; k++) {
+    for (int k = 2; k >= 0; k--) {               /* the left ones first: they are forgotten most */
         if (offered[k]) {
             side[n++] = k;
         }

@@ -30,10 +30,9 @@ static void degenerate(campaign_maker *m, double *P, size_t nx, size_t ny, size_
         case 1: same(P, i, 0); break;                                                 /* all points equal */
         case 2: same(P, i, i > 0 && i <= run ? i - 1 : i); break;                     /* coincident from the first on */
         case 3: same(P, i, i % ny == ny - 1 && i > 0 ? i - (ny > 1) : i); break;      /* the last two columns */
-        case 4:                                                                       /* on a line */
-            for (size_t c = 1; c < 3; c++) {
-                P[3 * i + c] = P[3 * i] * (double)c;
-            }
+        case 4:                                                                       /* on a line; a surface in a plane */
+            P[3 * i + 1] = ny > 1 ? P[3 * i + 1] : P[3 * i];
+            P[3 * i + 2] = P[3 * i] + P[3 * i + 1];
             break;
         case 5: same(P, i, i % 2); break;                                             /* back and forth */
         case 6: same(P, i, i / ny == nx - 1 ? n - ny : i / ny == 0 ? 0 : i); break;   /* two poles */
@@ -98,7 +97,7 @@ void campaign_data(campaign_maker *m, double *P, size_t nx, size_t ny)
 static double weight(campaign_maker *m, size_t kind, size_t i)
 {
     switch (kind) {
-    case 0: return i == 1 ? 1e16 : 1.0;                              /* ratio 1e16 */
+    case 0: return i != 1 ? 1.0 : m->op == ET_OP_SURFACE_NEAREST ? 1e4 : 1e16;       /* ratio 1e16; the nearest point is then beyond certainty */
     case 1: return ldexp(campaign_real(m, 0.5, 2.0), -1000);         /* all tiny */
     case 2: return 7.0;                                              /* equal: a polynomial in disguise */
     case 3: return i % 2 ? 0x1.6a09e667f3bcdp-1 : 1.0;               /* arcs */
