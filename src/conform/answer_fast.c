@@ -255,8 +255,8 @@ et_status answer_net(et_reply *reply, const et_request *request)
 
 /* ---- distances ---- */
 
-/* 2^-e, with the greatest magnitude below 2^e: in that unit squares neither overflow nor, where they matter, underflow; 1 in the range where they do not
- * anyway. */
+/* 2^-e, with the greatest magnitude below 2^e: in that unit squares neither overflow nor, where they matter, underflow; 1 in the range where they do
+ * not anyway. */
 static double unit_of(double most)
 {
     int e;

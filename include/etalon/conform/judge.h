@@ -68,8 +68,8 @@ const char *et_judge_validity_name(et_validity validity);
 int et_judge_bad(et_verdict verdict);
 
 /* What a request is by its arguments (docs/judge.md, "Validity, to the letter"), and why, empty where it is valid.  The rank of a fit is decided
- * exactly.  What only the result shows (a number beyond the range of doubles, a normal that vanishes, a fit conditioned so badly that it may count as rank
- * deficient) et_judge_truth knows. */
+ * exactly.  What only the result shows (a number beyond the range of doubles, a normal that vanishes, a fit conditioned so badly that it may count as
+ * rank deficient) et_judge_truth knows. */
 /*@ requires reason:  \valid(reason + (0 .. 127)) && \valid_read(request) && \separated(reason + (0 .. 127), request);
     assigns  reason[0 .. 127];
     ensures  known:   0 <= \result <= ET_INVALID;
