@@ -171,13 +171,13 @@ def root_of(low, high):
     return a if a == b else None
 
 
-def give(op, category, args, k, P, at, distance, **more):
+def give(op, category, args, kind, k, P, at, distance, **more):
     """P: the control points."""
     size = max(abs(F(x)) for q in P for x in q)
     box = [max(F(q[c]) for q in P) - min(F(q[c]) for q in P) for c in range(3)]
     e = up(root(sum(x * x for x in box), 2, 100)[0], 80)
     D = k * U * (size + F(distance)) + up(root(F(1, 2**53), 2, 100)[0], 80) * e
-    op.add(category, args, VALID, list(at) + [distance], [(k, INF)] * len(at) + [(k, D)], **more)
+    op.add(category, args, kind, list(at) + [distance], [(k, INF)] * len(at) + [(k, D)], **more)
 
 
 def curve_nearest(op, category, c, P, issue=None, comment=None):
@@ -186,7 +186,7 @@ def curve_nearest(op, category, c, P, issue=None, comment=None):
     if kind == INVALID or len(P) != 1 or not all(map(number, P[0])):
         op.add(category, args, INVALID, **more)
         return
-    if kind != VALID or c.p == 0:
+    if not sure(kind, c.u, w=c.w) or c.p == 0:
         op.add(category, args, DEFINED, **more)
         return
     found = nearest_of(c, P[0])
@@ -195,7 +195,7 @@ def curve_nearest(op, category, c, P, issue=None, comment=None):
     d, x = root_of(*found[:2]), nearest(found[2])
     if d is None or x != nearest(found[3]):
         return
-    give(op, category, args, 64 * (c.p + 2), c.P, [x], d, **more)
+    give(op, category, args, kind, 64 * (c.p + 2), c.P, [x], d, **more)
 
 
 def curve_inversions():
@@ -257,10 +257,10 @@ def surface_nearest(op, category, s, P, at=None, squared=None, issue=None, comme
     if kind == INVALID or len(P) != 1 or not all(map(number, P[0])):
         op.add(category, args, INVALID, **more)
         return
-    if kind != VALID or s.p * s.q == 0:
+    if not sure(kind, s.u, s.v, w=s.w) or s.p * s.q == 0:
         op.add(category, args, DEFINED, **more)
         return
-    give(op, category, args, 64 * (s.p + s.q + 2), s.P, [nearest(x) for x in at], nearest(root(squared, 2, 120)[0]), **more)
+    give(op, category, args, kind, 64 * (s.p + s.q + 2), s.P, [nearest(x) for x in at], nearest(root(squared, 2, 120)[0]), **more)
 
 
 def greville(u, p):
@@ -319,7 +319,10 @@ def surface_inversions():
         flat = graph(c, p, clamped(p, []), 1, clamped(1, []), lambda c: 0.0)
         if flat:
             surface_nearest(op, "degrees", flat, [(0.375, 0.625, 2.0)], [F(3, 8), F(5, 8)], F(4), comment="degree %d" % p)
-    surface_nearest(op, "end_of_domain", surface(c, 2, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0], 1, clamped(1, [])), [(0.0, 0.0, 0.0)], comment="knots not clamped: may be refused")
+    loose = graph(c, 2, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0], 1, clamped(1, []), lambda c: 0.0)
+    for x, nearest_x in ((2.25, F(9, 4)), (1.0, F(2)), (4.0, F(3))):
+        surface_nearest(op, "end_of_domain", loose, [(x, 0.5, 2.0)], [nearest_x, F(1, 2)], (F(x) - nearest_x) ** 2 + 4,
+                        comment="knots not clamped, the domain is [2, 3]: may be refused")
     surface_nearest(op, "degrees", surface(c, 0, [0.0, 1.0, 2.0], 1, clamped(1, [])), [(0.0, 0.0, 0.0)], comment="degree 0: may be refused")
     flat = graph(c, 1, clamped(1, []), 1, clamped(1, []), lambda c: 0.0)
     surface_nearest(op, "bad_input", flat, [], comment="no point")
