@@ -169,28 +169,20 @@ static void fill(curve_net *to, const curve_net *net)
     memcpy(to->from, net->from, net->n * sizeof *net->from);
 }
 
-static int finite(curve_point h)
+/* sqrt(x^2 + y^2 + z^2); nothing over- or underflows that matters.  Infinite where a coordinate is infinite or not a number. */
+static double length(double x, double y, double z)
 {
-    return isfinite(h.x) && isfinite(h.y) && isfinite(h.z) && isfinite(h.w);
-}
-
-/* sqrt(x^2 + y^2 + z^2 + w^2); nothing over- or underflows that matters.  Infinite where a coordinate is infinite or not a number. */
-static double length(curve_point d)
-{
-    double most = fmax(fmax(fabs(d.x), fabs(d.y)), fmax(fabs(d.z), fabs(d.w)));
-    if (!finite(d)) {
+    double most = fmax(fabs(x), fmax(fabs(y), fabs(z)));
+    if (!isfinite(x) || !isfinite(y) || !isfinite(z)) {
         return HUGE_VAL;
     }
-    if (most == 0.0) {
-        return 0.0;
-    }
-    d = (curve_point){d.x / most, d.y / most, d.z / most, d.w / most};
-    return most * sqrt(d.x * d.x + d.y * d.y + d.z * d.z + d.w * d.w);
+    return most == 0.0 ? 0.0 : most * sqrt((x / most) * (x / most) + (y / most) * (y / most) + (z / most) * (z / most));
 }
 
-static double distance(const curve_net *net, curve_point a, curve_point b)
+/* |w P - w' P'| + reach |w - w'|. */
+static double distance(curve_point a, curve_point b, double reach)
 {
-    return length((curve_point){a.x - b.x, a.y - b.y, a.z - b.z, net->rational ? a.w - b.w : 0.0});
+    return length(a.x - b.x, a.y - b.y, a.z - b.z) + (reach > 0.0 ? reach * fabs(a.w - b.w) : 0.0);
 }
 
 /* With the knot x in, P_i = a Q_i + b Q_{i-1}, a = (x - u_i)/(u_{i+p+1} - u_i) and b = 1 - a. */
@@ -239,14 +231,14 @@ static void drop(curve_net *net, size_t i, size_t knot)
 
 /* The greatest of the lines' deviations: what the equation left over is not satisfied by, or, with none left over, by how much the two ways to the
  * middle point differ. */
-static double deviation(const curve_net *net, size_t i, int odd, double x)
+static double deviation(const curve_net *net, size_t i, int odd, double x, double reach)
 {
     double most = 0.0;
     shares s = odd ? shares_of(net, i, x) : (shares){0.0, 0.0};
     for (size_t j = 0; j < net->lines; j++) {
         const curve_point *h = net->h + i * net->lines + j;
         curve_point want = odd ? combine(s.a, h[net->lines], s.b, *(h - net->lines)) : h[net->lines];
-        double d = distance(net, h[0], want);
+        double d = distance(h[0], want, reach);
         most = d > most ? d : most;
     }
     return most;
@@ -256,7 +248,8 @@ static double deviation(const curve_net *net, size_t i, int odd, double x)
 static int sound(const curve_net *net)
 {
     for (size_t k = 0; k < net->n * net->lines; k++) {
-        if (!finite(net->h[k]) || (net->rational && !(net->h[k].w > 0.0))) {
+        curve_point h = net->h[k];
+        if (!isfinite(h.x) || !isfinite(h.y) || !isfinite(h.z) || !isfinite(h.w) || (net->rational && !(h.w > 0.0))) {
             return 0;
         }
     }
@@ -265,7 +258,7 @@ static int sound(const curve_net *net)
 
 /* A5.8, one knot, the last of those equal to x: half of the equations are solved from the left, half from the right.  How far no point of the curve
  * moves; infinite where a weight would not be positive. */
-static double remove_once(curve_net *net, double x)
+static double remove_once(curve_net *net, double x, double reach)
 {
     size_t p = net->p, s = et_knots_multiplicity(net->u, net->n + p + 1, x), r = last_of(net->u, x);
     size_t equations = s <= p ? p + 1 - s : 0, half = equations / 2;
@@ -276,34 +269,43 @@ static double remove_once(curve_net *net, double x)
     int odd = equations % 2 == 1;
     size_t middle = r - p + half - (odd ? 0 : 1);
     /* Of more than p + 1 equal knots this point's function is zero. */
-    double d = s > p + 1 ? 0.0 : deviation(net, middle, odd, x);
+    double d = s > p + 1 ? 0.0 : deviation(net, middle, odd, x, reach);
     drop(net, middle, r);
     return sound(net) ? d : HUGE_VAL;
 }
 
-/* Eq. 5.30, the tolerance itself added to the divisor: the bound then holds for large tolerances, too. */
-static double homogeneous_tolerance(const curve_net *net, double tolerance)
+/* With A = w C and errors e of A and w the curve moves by |e_A - C e_w| / (w + e_w), so by at most the tolerance if |e_A| + (|C| + tolerance) |e_w| is
+ * at most tolerance w: with the greatest |C| and the least w.  Eq. 5.30 puts both errors together, and asks for more. */
+static double reach_of(const curve_net *net, double tolerance)
 {
-    double least = HUGE_VAL, most = 0.0;
-    for (size_t k = 0; k < net->n * net->lines; k++) {
+    double most = 0.0;
+    for (size_t k = 0; net->rational && k < net->n * net->lines; k++) {
         curve_point h = net->h[k];
-        least = fmin(least, h.w);
-        most = fmax(most, length((curve_point){h.x / h.w, h.y / h.w, h.z / h.w, 0.0}));
+        most = fmax(most, length(h.x / h.w, h.y / h.w, h.z / h.w));
     }
-    return net->rational ? least * (tolerance / (1.0 + most + tolerance)) : tolerance;
+    return net->rational ? most + tolerance : 0.0;
+}
+
+static double least_weight(const curve_net *net)
+{
+    double least = 1.0;
+    for (size_t k = 0; net->rational && k < net->n * net->lines; k++) {
+        least = fmin(least, net->h[k].w);
+    }
+    return least;
 }
 
 et_status curve_net_remove(curve_net *net, size_t *removed, double x, size_t times, double tolerance)
 {
     curve_net t;
     size_t count = 0, s = et_knots_multiplicity(net->u, net->n + net->p + 1, x);
-    double left = homogeneous_tolerance(net, tolerance);
+    double left = tolerance * least_weight(net), reach = reach_of(net, tolerance);
     if (net_copy(&t, net) != ET_OK) {
         return ET_ENOMEM;
     }
     while (count < times && count < s) {
         fill(&t, net);
-        double d = remove_once(&t, x);
+        double d = remove_once(&t, x, reach);
         if (!(d <= left)) {
             break;
         }

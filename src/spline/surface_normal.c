@@ -46,13 +46,15 @@ typedef struct {
     const et_surface *s;
     et_vec3 origin;
     size_t first;
-    double unit, weight;
+    double share, unit, weight;
 } view;
 
-static et_vec3 half_from(const view *w, size_t index)
+/* P - O, or half of it, which does not overflow. */
+static et_vec3 apart(const view *w, size_t index)
 {
     et_vec3 P = w->s->points[index], O = w->origin;
-    return (et_vec3){0.5 * P.x - 0.5 * O.x, 0.5 * P.y - 0.5 * O.y, 0.5 * P.z - 0.5 * O.z};
+    double a = w->share;
+    return (et_vec3){a * P.x - a * O.x, a * P.y - a * O.y, a * P.z - a * O.z};
 }
 
 /* The power of two that takes most into [1/2, 1), 2^1000 at most. */
@@ -68,25 +70,37 @@ static double greatest(et_vec3 P)
     return fmax(fabs(P.x), fmax(fabs(P.y), fabs(P.z)));
 }
 
-static view view_of(const et_surface *s, const functions *f, const functions *g)
+/* The greatest coordinate of the p + 1 by q + 1 control points, as seen. */
+static double most_of(const view *w)
 {
-    view w = {s, s->points[(f->first + f->most) * s->nv + g->first + g->most], f->first * s->nv + g->first, 1.0, 1.0};
-    double most = 0.0, weight = 0.0;
-    for (size_t k = 0; k <= s->p; k++) {
-        for (size_t l = 0; l <= s->q; l++) {
-            size_t index = w.first + k * s->nv + l;
-            most = fmax(most, greatest(half_from(&w, index)));
-            weight = fmax(weight, s->weights ? s->weights[index] : 1.0);
+    double most = 0.0;
+    for (size_t k = 0; k <= w->s->p; k++) {
+        for (size_t l = 0; l <= w->s->q; l++) {
+            most = fmax(most, greatest(apart(w, w->first + k * w->s->nv + l)));
         }
     }
-    w.unit = reciprocal(most);
+    return most;
+}
+
+static view view_of(const et_surface *s, const functions *f, const functions *g)
+{
+    view w = {s, {0.0, 0.0, 0.0}, f->first * s->nv + g->first, 1.0, 1.0, 1.0};
+    double weight = s->weights ? 0.0 : 1.0;
+    w.share = most_of(&w) < 0x1p1000 ? 1.0 : 0.5;
+    w.origin = s->points[w.first + f->most * s->nv + g->most];
+    w.unit = reciprocal(most_of(&w));
+    for (size_t k = 0; s->weights && k <= s->p; k++) {
+        for (size_t l = 0; l <= s->q; l++) {
+            weight = fmax(weight, s->weights[w.first + k * s->nv + l]);
+        }
+    }
     w.weight = reciprocal(weight);
     return w;
 }
 
 static surface_point seen(const view *w, size_t index)
 {
-    et_vec3 P = half_from(w, index);
+    et_vec3 P = apart(w, index);
     double weight = (w->s->weights ? w->s->weights[index] : 1.0) * w->weight;
     return (surface_point){weight * (w->unit * P.x), weight * (w->unit * P.y), weight * (w->unit * P.z), weight};
 }
@@ -134,6 +148,8 @@ static tangent tangent_of(const sums *A, const sums *D, int rational)
         t.value = (et_vec3){a.w * d.x - d.w * a.x, a.w * d.y - d.w * a.y, a.w * d.z - d.w * a.z};
         t.size = (et_vec3){m.w * n.x + n.w * m.x, m.w * n.y + n.w * m.y, m.w * n.z + n.w * m.z};
     }
+    /* What underflows is below 2^-1074 a time, of numbers not above 1: with this it counts as a rounding. */
+    t.size = (et_vec3){t.size.x + 0x1p-1000, t.size.y + 0x1p-1000, t.size.z + 0x1p-1000};
     double unit = reciprocal(greatest(t.value));
     t.value = (et_vec3){unit * t.value.x, unit * t.value.y, unit * t.value.z};
     t.size = (et_vec3){unit * t.size.x, unit * t.size.y, unit * t.size.z};

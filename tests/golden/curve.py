@@ -209,17 +209,17 @@ def remove_row(s, x, times, why):
     E = [[(F(1, 2**53) * abs(t) if s.w and a else F(0)) for a, t in enumerate(P)] for P in H]
     least, most = min(P[0] for P in H), max(sum(abs(t / P[0]) for t in P[1:]) for P in H)
     tolerance = 2.0**-20 * float(max(abs(F(t)) for P in s.P for t in P) or 1)
-    allowed = least * F(tolerance) / (1 + most + F(tolerance)) if s.w else F(tolerance)
+    allowed, reach = least * F(tolerance), most + F(tolerance)
     u, spent, count = s.u, F(0), 0
     while count < times and x in u:
         P, errors, found = editing.removal_errors(u, s.p, H, E, x)
-        found = found if s.w else found[1:]
+        found = [(reach * d, reach * e) for d, e in found[:1] if s.w] + found[1:]
         next_one = editing.remove(u, s.p, H, x)
         if next_one is None:
             if max(d - e for d, e in found) <= 2 * allowed:
                 return
             break
-        spent += 2 * max(e for _, e in found)
+        spent += sum(e for _, e in found)
         if spent > allowed / 2:
             return
         u, H = next_one

@@ -167,11 +167,10 @@ et_status et_curve_insert(et_curve *refined, const et_curve *c, double x, size_t
  * (A5.8, one knot after the other).  *removed: how often; 0 gives a copy.  Knots need not be clamped.  ET_EINVAL (x is no knot of the open domain, the
  * tolerance), ET_ENOMEM.
  *
- * Half of the equations P_i = a Q_i + (1-a) Q_{i-1} are solved from the left, half from the right.  The distance d by which the last one is not
- * satisfied, or, with none left, by which the two ways to the middle point differ, bounds how far a polynomial curve moves; the distances of all removals
- * are added.  A rational curve moves by at most the tolerance if the homogeneous distances add up to at most
- *     tolerance min w / (1 + max |P| + tolerance)      (Eq. 5.30, with the tolerance added to the divisor, so that it is true of large ones).
- * A removal that would give a weight that is not positive is not made.
+ * Half of the equations P_i = a Q_i + (1-a) Q_{i-1} are solved from the left, half from the right.  The last one is not satisfied by e, or, with none left,
+ * the two ways to the middle point differ by e: by |e| at most a polynomial curve moves.  With weights e is e_A of w P and e_w of w, and the curve moves by
+ * at most the tolerance if |e_A| + (max |P| + tolerance) |e_w| is at most tolerance min w: less than Eq. 5.30 asks for, and the same at any scale.  What
+ * several removals need is added up.  A removal that would give a weight that is not positive is not made.
  *
  * Each new point satisfies its equation within ((1-u)^-5 - 1) (a |Q_i| + (1-a) |Q_{i-1}|), by which the curve moves beside. */
 /*@ requires reduced: \valid(reduced) && \valid(removed);

@@ -208,8 +208,8 @@ typedef enum { ET_ALONG_U = 0, ET_ALONG_V } et_direction;
         (along == ET_ALONG_U ? a->q == b->q && a->nv == b->nv : a->p == b->p && a->nu == b->nu);
 */
 
-/* et_curve_insert of each of the surface's curves along one direction, with the same bits; errors and bounds as there, and ET_EINVAL for a direction that is none.
- * Of a rational surface all weights have one power of two. */
+/* et_curve_insert of each of the surface's curves along one direction, with the same bits (barring underflow); errors and bounds as there, and ET_EINVAL for a
+ * direction that is none. */
 /*@ requires refined: \valid(refined);
     requires s:       \valid_read(s) && et_surface_readable(s);
     requires apart:   \separated(refined, s);
