@@ -194,4 +194,6 @@ et_status cli_fit_command(int argc, char **argv, et_message *message);
 et_status cli_refine_command(int argc, char **argv, et_message *message);
 et_status cli_compare(int argc, char **argv, et_message *message);
 et_status cli_reconstruct(int argc, char **argv, et_message *message);
+et_status cli_conform(int argc, char **argv, et_message *message);
+et_status cli_serve(int argc, char **argv, et_message *message);
 #endif

@@ -18,6 +18,8 @@ static const command commands[] = {
     { "evaluate", "points and derivatives of a surface, correctly rounded if asked", cli_evaluate },
     { "compare", "least squares against the refiners, as a table", cli_compare },
     { "reconstruct", "all steps: cloud to closed surface, CAD files, pictures, report", cli_reconstruct },
+    { "conform", "judge another implementation: its answers against the exact ones", cli_conform },
+    { "serve", "answer the conformance protocol, correctly rounded if asked", cli_serve },
 };
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
 

@@ -1,0 +1,247 @@
+#!/bin/sh
+# Programs that answer wrongly, late, never, too much, or not what was asked: each ends in bounded time, with the right counts.
+here=$(cd "$(dirname "$0")" && pwd)
+adapters=$here/../adapters
+. "$here/kit"
+vectors=$here/../../golden/conformance
+
+# ---- a program that answers two operations rightly, and how it may go wrong ----
+cat > h.py <<'P'
+import math, os, random, signal, subprocess, sys, time
+mode = sys.argv[1]
+ops, extra, asked = 'span,multiplicity', '', 0
+def multiplicity(words):
+    n = int(words[0]); u = [float.fromhex(w) for w in words[1:1 + n]]; x = float.fromhex(words[1 + n])
+    if not all(map(math.isfinite, u + [x])) or u != sorted(u): return 'refused'
+    return 'ok %d' % u.count(x)
+def span(words):
+    p, n = int(words[0]), int(words[1]); u = [float.fromhex(w) for w in words[2:2 + n]]; x = float.fromhex(words[2 + n])
+    if n < 2 * p + 2 or not all(map(math.isfinite, u + [x])) or u != sorted(u) or not u[p] < u[n - p - 1]: return 'refused'
+    if not u[p] <= x <= u[n - p - 1]: return 'refused'
+    k = n - p - 2
+    while k > p and (x < u[k] or u[k] == u[n - p - 1]): k -= 1
+    return 'ok %d' % k
+def say(text): sys.stdout.write(text); sys.stdout.flush()
+def hang():
+    while True: time.sleep(100)
+if mode == 'hangs at start': hang()
+if mode == 'deaf': [signal.signal(s, signal.SIG_IGN) for s in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGPIPE)]; hang()
+if mode == 'ends at start': sys.exit(0)
+if mode == 'dies at start': os.kill(os.getpid(), signal.SIGSEGV)
+if mode == 'talks first': say('welcome\n')
+if mode == 'closes its input': os.close(0); say('0 ok protocol=1 name=h version=1 ops=span\n'); time.sleep(0.3); hang()
+if mode == 'a child keeps the pipe': pass
+waiting = None
+for line in sys.stdin:
+    id, op, *words = line.split()
+    if op == 'hello':
+        if mode == 'dies at every start again':
+            if os.path.exists('started'): sys.exit(3)
+            open('started', 'w').close()
+        if mode == 'another hello':
+            if os.path.exists('started'): ops = 'span'
+            open('started', 'w').close()
+        if mode == 'lies': ops += ',greville,basis'
+        if mode == 'offers nothing': ops = ''
+        if mode == 'offers the unknown': ops += ',fold,spindle'
+        if mode == 'hello of two': say('0 ok protocol=2 name=h version=1 ops=span\n'); continue
+        if mode == 'hello without a name': say('0 ok protocol=1 ops=span\n'); continue
+        if mode == 'hello of rubbish': say('hello yourself, <&"\n'); continue
+        if mode == 'hello of bytes': sys.stdout.buffer.write(bytes(range(256)) * 20 + b'\n'); sys.stdout.flush(); continue
+        if mode == 'hello without end': say('0 ok protocol=1 name=h'); hang()
+        if mode == 'hello for ever':
+            while True: sys.stdout.write('x' * 65536)
+        if mode == 'a name of bytes': sys.stdout.buffer.write(b'0 ok protocol=1 name=\xff<&> version=" ops=span,multiplicity\n'); sys.stdout.flush(); continue
+        say('0 ok protocol=1 name=h version=1 ops=%s\n' % ops); continue
+    asked += 1
+    reply = {'span': span, 'multiplicity': multiplicity}.get(op, lambda w: 'unsupported')(words)
+    ok = reply.startswith('ok')
+    if mode == 'hangs at the fifth' and asked == 5: hang()
+    if mode == 'always hangs' and op == 'span': hang()
+    if mode == 'always dies' and op == 'span': os.abort()
+    if mode == 'ends at the fifth' and asked == 5: sys.exit(0)
+    if mode == 'dies at the fifth' and asked == 5: os.kill(os.getpid(), signal.SIGKILL)
+    if mode == 'dies after each': say('%s %s\n' % (id, reply)); sys.exit(0)
+    if mode == 'dies at every start again' and asked == 3: sys.exit(3)
+    if mode == 'another hello' and asked == 5: sys.exit(0)
+    if mode == 'another number' and asked % 2: say('%d %s\n' % (int(id) - 1, reply)); continue
+    if mode == 'out of order':
+        if waiting is None: waiting = '%s %s\n' % (id, reply); time.sleep(0.05); say('%s ok 0\n' % (int(id) + 1))
+        else: say('%s %s\n' % (id, reply) + waiting); waiting = None
+        continue
+    if mode == 'twice': say(('%s %s\n' % (id, reply)) * 2); continue
+    if mode == 'one for ever' and asked == 3:
+        while True: sys.stdout.write('1 ok ' + '0 ' * 65536)
+    if mode == 'half a line' and asked == 5: say('%s ok 0' % id); sys.exit(0)
+    if mode == 'half a line, then nothing' and asked == 5: say('%s ok 0' % id); hang()
+    if mode == 'bytes' and ok: sys.stdout.buffer.write(b'\0\xff\x1b[31m\r' + id.encode() + b'\n'); sys.stdout.flush(); continue
+    if mode == 'a zero byte' and ok: say('%s ok 0\0 1\n' % id); continue
+    if mode == 'words' and ok: say('%s ok many\n' % id); continue
+    if mode == 'not a number' and ok: say('%s ok nan\n' % id); continue
+    if mode == 'two numbers' and ok: say('%s ok 0x1p+0 0x1p+0\n' % id); continue
+    if mode == 'no number' and ok: say('%s ok\n' % id); continue
+    if mode == 'accepts all' and not ok: reply = 'ok 1'
+    if mode == 'refuses all': reply = 'refused <because> & "so"'
+    if mode == 'off by one' and op == 'span' and ok: reply = 'ok %d' % (int(reply[3:]) + 1)
+    if mode == 'decimal' and ok: reply = 'OK'.lower() + ' %.17g' % float(reply[3:])
+    if mode == 'random' and ok: reply = 'ok %d' % random.randrange(10)
+    if mode == 'stateful' and ok and asked % 7 == 0: reply = 'ok 77'
+    if mode == 'slow': time.sleep(0.01)
+    if mode == 'drops out' and asked > 40: reply = 'unsupported'
+    if mode == 'closes its output' and asked == 5: os.close(1); hang()
+    if mode == 'a child keeps the pipe' and asked == 5: subprocess.Popen(['sleep', '1000']); os._exit(0)
+    if mode == 'children' and asked == 5: subprocess.Popen(['sh', '-c', 'sleep 1003 & sleep 1003']); hang()
+    if mode == 'late' and asked == 5: time.sleep(1.5)
+    if mode == 'trickles' and asked == 5:
+        for c in '%s ok 0 0 0 0 0 0 0 0 0 0\n' % id: say(c); time.sleep(0.2)
+    if mode == 'splits': [say(c) for c in '%s %s\r\n' % (id, reply)]; continue
+    say('%s %s\n' % (id, reply))
+if mode == 'no end': hang()
+P
+
+# run MODE SECONDS CODE EXPRESSION [OPTION...]: judged in so many seconds, with this exit code; the JSON object holds the expression.
+run() {
+    mode=$1 seconds=$2 code=$3 expression=$4; shift 4
+    rm -f started
+    timeout -k 1 "$seconds" "$etalon" conform --adapter "python3 h.py '$mode'" --ops span,multiplicity,greville --timeout 1 --json "$@" > out.json 2> err
+    got=$?
+    if [ "$got" -ne "$code" ]; then fail "$mode" "exit code $got, not $code: $(head -c 300 err)"; return; fi
+    holds "$mode" "(lambda v, o, f: $expression)(j['verdicts'], j['operations'], j['findings'])" out.json
+}
+bad="sum(n for k, n in v.items() if k not in ('correctly_rounded', 'within_bound', 'unsupported'))"
+start='sum(v.values()) == 1'
+
+run right 60 0 "$bad == 0 and len(v) == 11 and o['span']['correctly_rounded'] > 5 and v['unsupported'] > 0 and j['refused_rightly'] > 0 and f == []"
+run decimal 60 0 "$bad == 0"
+run splits 60 0 "$bad == 0"
+run slow 60 0 "$bad == 0"
+run 'no end' 60 0 "$bad == 0"
+run 'offers the unknown' 60 0 "$bad == 0"
+run 'a name of bytes' 60 0 "$bad == 0 and j['adapter']['name'] == '?<&>'"
+
+run 'hangs at start' 8 1 "$start and v['timeout'] == 1"
+run deaf 8 1 "$start and v['timeout'] == 1"
+run 'ends at start' 8 1 "$start and v['crash'] == 1 and 'exit code 0' in f[0]['text']"
+run 'dies at start' 8 1 "$start and v['crash'] == 1 and ('signal 11' in f[0]['text'] or '139' in f[0]['text'])"
+run 'talks first' 8 1 "$start and v['wrong'] == 1"
+run 'closes its input' 20 1 "$bad >= 1 and v['wrong'] + v['crash'] >= 1"
+run 'hello of two' 8 1 "$start and v['wrong'] == 1 and 'protocol=2' in f[0]['text']"
+run 'hello without a name' 8 1 "$start and v['wrong'] == 1 and 'name is missing' in f[0]['text']"
+run 'hello of rubbish' 8 1 "$start and v['wrong'] == 1"
+run 'hello of bytes' 8 1 "$start and v['wrong'] == 1"
+run 'hello without end' 8 1 "$start and v['timeout'] == 1"
+run 'hello for ever' 8 1 "$start and v['wrong'] == 1 and 'does not end' in f[0]['text']"
+says 'a hello that is none, for people' 3 'wrong: hello' "$etalon" conform --adapter "python3 h.py 'hello of rubbish'"
+says 'offers nothing' 3 'offers none of the operations' "$etalon" conform --adapter "python3 h.py 'offers nothing'" --json
+says 'offers none of them' 3 'offers none of the operations' "$etalon" conform --adapter "python3 h.py right" --ops basis
+says 'no such command' 4 'cannot start' "$etalon" conform --adapter ./nothing
+says 'not executable' 4 'cannot start' "$etalon" conform --adapter ./h.py --json
+
+run 'hangs at the fifth' 60 1 "v['timeout'] > 0 and v['correctly_rounded'] > 0 and $bad == v['timeout'] + v['nondeterministic']"
+run 'always hangs' 60 1 "o['span']['timeout'] == 3 and j['skipped'] > 5 and o['multiplicity']['correctly_rounded'] > 5"
+run 'always dies' 60 1 "o['span']['crash'] == 8 and j['skipped'] >= 5 and o['multiplicity']['correctly_rounded'] > 5"
+run 'ends at the fifth' 60 1 "v['crash'] > 0 and v['correctly_rounded'] > 0 and $bad == v['crash'] + v['nondeterministic']"
+run 'dies at the fifth' 60 1 "v['crash'] > 0 and ('signal 9' in f[0]['text'] or '137' in f[0]['text'])"
+run 'dies after each' 60 1 "v['crash'] > 0 and v['wrong'] == 0"
+run 'dies at every start again' 60 1 "v['crash'] == 2"
+grep -q 'does not start any more' err && pass 'and says so' || fail 'and says so' "$(cat err)"
+run 'another hello' 60 1 "v['nondeterministic'] > 0 and any('hello was another' in g['text'] for g in f)"
+run 'another number' 60 1 "v['wrong'] > 5 and 'answered' in f[0]['text'] and 'when asked' in f[0]['text']"
+run 'out of order' 60 1 "v['wrong'] > 5"
+run twice 60 1 "v['wrong'] > 5 and 'nothing had asked for' in f[0]['text'] + f[-1]['text']"
+run 'one for ever' 60 1 "v['wrong'] > 0 and any('does not end' in g['text'] for g in f)"
+run 'half a line' 60 1 "v['crash'] > 0"
+run 'half a line, then nothing' 60 1 "v['timeout'] > 0"
+run bytes 60 1 "v['wrong'] > 5"
+run 'a zero byte' 60 1 "v['wrong'] > 5"
+run words 60 1 "v['wrong'] > 5 and 'is not a number' in f[0]['text']"
+run 'not a number' 60 1 "v['non_finite'] + v['wrong'] > 5"
+run 'two numbers' 60 1 "v['wrong'] > 5"
+run 'no number' 60 1 "v['wrong'] > 5"
+run 'accepts all' 60 1 "v['wrongly_accepted'] > 0 and v['wrongly_refused'] == 0"
+run 'refuses all' 60 1 "v['wrongly_refused'] > 5 and v['correctly_rounded'] > 0"
+run lies 60 1 "v['wrongly_refused'] == 1 and o['greville']['wrongly_refused'] == 1 and o['greville']['unsupported'] > 0 and 'offers it' in f[0]['text']"
+run 'off by one' 60 1 "o['span']['wrong'] > 5 and o['multiplicity']['wrong'] == 0 and all(g['shrunk'] for g in f) and min(len(g['shrunk'].split()) for g in f) <= 7"
+run random 60 1 "v['nondeterministic'] > 5"
+run stateful 60 1 "v['nondeterministic'] > 0 and v['wrong'] >= 0"
+run 'drops out' 60 1 "v['nondeterministic'] > 0"
+run 'closes its output' 60 1 "v['crash'] > 0"
+run 'a child keeps the pipe' 60 1 "v['crash'] > 0 and v['timeout'] == 0"
+run children 60 1 "v['timeout'] > 0"
+run late 60 1 "v['timeout'] > 0"
+run trickles 60 1 "v['timeout'] > 0"
+sleep 0.2
+if ps -A -o args | grep -E '^sleep 100[03]$' > left; then fail 'no process is left' "$(cat left)"; else pass 'no process is left'; fi
+
+# ---- an adapter that does not read while a long request is written ----
+cat > deaf.py <<'P'
+import sys, time
+for line in sys.stdin:
+    if 'hello' in line: print('0 ok protocol=1 name=deaf version=1 ops=fit_grid,curve_point', flush=True); time.sleep(1000)
+P
+timeout -k 1 60 "$etalon" conform --adapter 'python3 deaf.py' --timeout 1 --json > out.json 2> err
+holds 'a program that never reads' "j['verdicts']['timeout'] == 6 and j['skipped'] > 0" out.json
+
+# ---- files, options, interruption ----
+good="python3 h.py right" wrong="python3 h.py 'off by one'" ops="--ops span,multiplicity"
+want 'JUnit' 1 "$etalon" conform --adapter "$wrong" $ops --junit out.xml
+python3 - <<'P' && pass 'JUnit is XML that holds the counts' || fail 'JUnit is XML that holds the counts'
+import xml.etree.ElementTree as E
+suite = E.parse('out.xml').getroot().find('testsuite')
+cases = suite.findall('testcase')
+failed = [c for c in cases if c.find('failure') is not None]
+assert int(suite.get('tests')) == len(cases) and int(suite.get('failures')) == len(failed) > 0
+assert all(c.get('classname') == 'span' for c in failed) and any("| python3 h.py 'off by one'" in c.find('failure').text for c in failed)
+P
+want 'JUnit of a program that says rubbish' 1 "$etalon" conform --adapter "python3 h.py 'hello of rubbish'" --json --junit bad.xml
+python3 -c "import xml.etree.ElementTree as E; assert E.parse('bad.xml').getroot().find('testsuite').get('failures') == '1'" && pass 'is XML' || fail 'is XML'
+want 'JUnit of reasons with marks' 1 "$etalon" conform --adapter "python3 h.py 'refuses all'" $ops --junit marks.xml
+python3 -c "import xml.etree.ElementTree as E; E.parse('marks.xml')" && pass 'is XML, too' || fail 'is XML, too'
+want 'a baseline is written' 1 "$etalon" conform --adapter "$wrong" $ops --baseline-write known.json
+want 'what is known is no failure' 0 "$etalon" conform --adapter "$wrong" $ops --baseline known.json
+want 'another fault is' 1 "$etalon" conform --adapter "python3 h.py 'accepts all'" $ops --baseline known.json
+want 'the JSON is made' 1 "$etalon" conform --adapter "$wrong" $ops --json
+cp out before.json
+want 'and is a baseline' 0 "$etalon" conform --adapter "$wrong" $ops --baseline before.json --json
+want 'the same again' 1 "$etalon" conform --adapter "$wrong" $ops --json
+same 'the same seed, the same report' before.json out
+says 'a baseline that is not there' 4 'nofile' "$etalon" conform --adapter "$good" --baseline nofile
+echo '{}' > none.json; says 'a baseline that is none' 3 'not a baseline' "$etalon" conform --adapter "$good" --baseline none.json
+want 'the conversation' 0 "$etalon" conform --adapter "$good" $ops --trace talk
+grep -q '^> 0 hello 1$' talk && grep -q '^< 0 ok protocol=1' talk && grep -q '^> 1 span ' talk && grep -q '^< 1 ' talk && pass 'is in the trace' || fail 'is in the trace' "$(head -c 200 talk)"
+want 'findings can be left out' 1 "$etalon" conform --adapter "$wrong" $ops --findings 0
+grep -q '^1\. ' out && fail 'none is told' || pass 'none is told'
+want 'a finding can be tried' 1 "$etalon" conform --adapter "$wrong" $ops --findings 1
+line=$(grep -m 1 "^    echo '1 " out)
+[ "$(sh -c "$line")" = "$(sed -n 's/^    reply: /1 /p' out | head -n 1)" ] && pass 'and shows what was told' || fail 'and shows what was told' "$line"
+says 'no adapter' 2 'adapter is missing' "$etalon" conform
+says 'no such operation' 2 "'fold'" "$etalon" conform --adapter "$good" --ops span,fold
+says 'no such level' 2 'level' "$etalon" conform --adapter "$good" --level 4
+says 'no time' 2 'timeout' "$etalon" conform --adapter "$good" --timeout 0
+says 'one file for two things' 2 'two different files' "$etalon" conform --adapter "$good" --junit x --trace x
+says 'no vectors' 4 'no frozen vectors' "$etalon" conform --adapter "$good" --level 1 --vectors .
+says 'a file that cannot be written' 4 'cannot write' "$etalon" conform --adapter "$good" $ops --junit no/such/place.xml
+"$etalon" conform --adapter "python3 h.py 'always hangs'" $ops --timeout 30 --json > out 2> err & job=$!
+sleep 2; kill -INT $job; wait $job; got=$?
+[ $got -eq 130 ] && pass 'interrupted' || fail 'interrupted' "exit code $got"
+holds 'the report so far' "j['interrupted']" out
+"$etalon" conform --adapter "$good" $ops --json > /dev/full 2> err; [ $? -eq 4 ] && pass 'a full disk' || fail 'a full disk'
+
+# ---- Etalon itself, the templates, the sample ----
+want 'Etalon' 0 "$etalon" conform --adapter "'$etalon' serve" --level 1 --vectors "$vectors" --json
+holds 'Etalon is within the bound' "j['asked'] >= 5000 and sum(n for k, n in j['verdicts'].items() if k not in ('correctly_rounded', 'within_bound', 'unsupported')) == 0" out
+want 'Etalon, exactly' 0 "$etalon" conform --adapter "'$etalon' serve --exact" --json
+${CC:-cc} -std=c99 -Wall -Wextra -o template "$adapters/template/adapter.c" 2> err && pass 'the template in C compiles' || fail 'the template in C compiles' "$(cat err)"
+for a in ./template "python3 '$adapters/template/adapter.py'"; do
+    want "$a" 0 "$etalon" conform --adapter "$a" --level 2 --cases 500 --vectors "$vectors" --json
+    holds 'answers three operations' "all(j['operations'][o]['correctly_rounded'] > 50 for o in ('span', 'basis', 'curve_point'))" out
+done
+# The walk-through of docs/conformance.md, command by command.
+cp -r "$adapters/sample" sample
+(cd sample && PATH=$(dirname "$etalon"):$PATH && etalon conform --adapter 'python3 adapter.py' --level 1 --vectors "$vectors") > walk 2> err; got=$?
+[ $got -eq 1 ] && grep -q '^1\. span, near_knots: wrong$' walk && pass 'the planted fault is found' || fail 'the planted fault is found' "$(cat err)"
+line=$(grep -m 1 "^    echo '1 span" walk); grep -qF "$line" "$here/../../docs/conformance.md" && pass 'as the page tells' || fail 'as the page tells' "$line"
+sed 's/abs(x - u\[n\]) < 1e-7/x == u[n]/' sample/spline.py > new && mv new sample/spline.py
+(cd sample && PATH=$(dirname "$etalon"):$PATH && etalon conform --adapter 'python3 adapter.py' --level 1 --vectors "$vectors") > walk 2> err; got=$?
+[ $got -eq 0 ] && pass 'and is gone when mended' || fail 'and is gone when mended' "$(head -n 20 walk)"
+finish
