@@ -108,6 +108,10 @@ $(B)/registry.o: $(B)/registry.c
 	$(CC) $(CFLAGS) -Itests -c -o $@ $<
 $(B)/check: $(TESTO) $(B)/registry.o $(LEAVING) $(B)/libetalon.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^) $(GSL) $(LDLIBS)
+$(B)/libfuzz.a: $(FUZZO) $(B)/libetalon.a
+	rm -f $@ && $(AR) rcsD $@ $(FUZZO)
+print-libs:
+	@echo $(LDLIBS)
 $(B)/fuzzer: $(FUZZO) $(B)/libetalon.a
 	$(CC) $(CFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $(filter %.o %.a,$^) $(GSL) $(LDLIBS)
 
@@ -191,7 +195,7 @@ built: all $(B)/check
 check: deps-test
 	@$(SUM) '$(MAKE) -s $(J) built' '$(MAKE) -s $(J) P=clang built' '$(MAKE) -s $(J) P=asan built' \
 	  '$(MAKE) -s test' '$(MAKE) -s rows' '$(MAKE) -s within' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s contracts' '$(MAKE) -s audit' '$(MAKE) -s docs' \
-	  'sh tests/install.sh $(BUILD)' 'ET_RUNS=200 $(MAKE) -s P=clang test' 'ET_RUNS=200 $(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s judged' '$(MAKE) -s faults MOST=12' '$(MAKE) -s bits PARTS="native s390x fault"'
+	  'sh tests/install.sh $(BUILD)' 'sh tests/oss-fuzz.sh $(BUILD)/oss-fuzz' 'ET_RUNS=200 $(MAKE) -s P=clang test' 'ET_RUNS=200 $(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s judged' '$(MAKE) -s faults MOST=12' '$(MAKE) -s bits PARTS="native s390x fault"'
 end-to-end: all
 	@$(SUM) $(foreach s,$(sort $(wildcard tests/cli/*.sh)),'sh $(s) $(B)/etalon')
 
@@ -237,8 +241,8 @@ $(B)/tests/bench/peer_som_plain.c.o $(B)/tests/bench/peer_dense.c.o: FLAGS_nativ
 
 # Debian's packages; with root (or sudo) they are installed, else named.
 PACKAGES      := gcc g++ liblapacke-dev libceres-dev libgoogle-glog-dev libeigen3-dev libjansson-dev gnuplot-nox libflint-arb-dev libflint-dev libmpfr-dev libgmp-dev
-PACKAGES_TEST := libgsl-dev clang libclang-rt-14-dev valgrind gcovr python3 libsisl-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh
-PACKAGES_FUZZ := clang libclang-rt-14-dev afl++
+PACKAGES_TEST := libgsl-dev clang libclang-rt-14-dev valgrind gcovr python3 libsisl-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev admesh afl++ zip
+PACKAGES_FUZZ := clang libclang-rt-14-dev libgsl-dev libsisl-dev afl++
 PACKAGES_CONFORM := libgsl-dev libsisl-dev libocct-modeling-algorithms-dev python3 python3-scipy
 PACKAGES_BITS := libblas3 liblapack3 libopenblas0-pthread libatlas3-base qemu-user-static gcc-aarch64-linux-gnu gcc-s390x-linux-gnu gcc-i686-linux-gnu
 PACKAGES_BENCH := libgsl-dev libsisl-dev libocct-modeling-algorithms-dev libpagmo-dev libboost-serialization-dev libtbb-dev python3-scipy r-base-core r-cran-kohonen
@@ -268,4 +272,4 @@ uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/share/man/man1/etalon.1
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits fuzz fuzz-min cover covering faults built check end-to-end mutants mutate mutants-self bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean
+.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits print-libs fuzz fuzz-min cover covering faults built check end-to-end mutants mutate mutants-self bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean
