@@ -107,7 +107,7 @@ $(B)/registry.c: $(TEST) $(B)/test.list tests/registry.sh
 $(B)/registry.o: $(B)/registry.c
 	$(CC) $(CFLAGS) -Itests -c -o $@ $<
 $(B)/check: $(TESTO) $(B)/registry.o $(LEAVING) $(B)/libetalon.a
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^) $(GSL) $(LDLIBS)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o %.a,$^) $(filter-out $(LEFT_OUT_LIBS),$(GSL)) $(LDLIBS)
 $(B)/libfuzz.a: $(FUZZO) $(B)/libetalon.a
 	rm -f $@ && $(AR) rcsD $@ $(FUZZO)
 print-libs:

@@ -27,9 +27,9 @@ TEST_FLAGS_i386    = -O0 -Wno-conversion -Wno-type-limits
 ifneq ($(filter $(CROSS),$(P)),)
 SYSROOT ?= $(BUILD)/sysroot/$(P)
 AR      := $(patsubst %-gcc,%-ar,$(firstword $(CC_$(P))))
-# What is in C++ is left out (Ceres; it has no row of class exact or bits), and what uses it, which is also the command.
-LEFT_OUT      := $(wildcard src/*/*.cpp) $(wildcard src/cli/*.c) $(shell grep -l 'etalon/refine/ceres\.h' tests/*/test_*.c)
-LEFT_OUT_LIBS := -lceres -lglog -lstdc++
+# What is in C++ is left out (Ceres; it has no row of class exact or bits), and what uses it, which is also the command; and SISL, a second opinion.
+LEFT_OUT      := $(wildcard src/*/*.cpp) $(wildcard src/cli/*.c) $(shell grep -l 'etalon/refine/ceres\.h' tests/*/test_*.c) $(wildcard tests/*/test_*_sisl.c)
+LEFT_OUT_LIBS := -lceres -lglog -lstdc++ -lsisl
 endif
 
 # BORROW=PROFILE: the tests and what is in C++ are taken from that build, and only the library in C is built again.
