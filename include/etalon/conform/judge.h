@@ -43,16 +43,14 @@ typedef struct {
         (truth->other == \null || (\valid_read(truth->other + (0 .. truth->count - 1)) && \valid_read(truth->other_bound + (0 .. truth->count - 1))));
 */
 
-/* "correctly_rounded", "within_bound", ...: the words of docs/conformance.md; null past the last.
- * Golden: none (names). */
+/* "correctly_rounded", "within_bound", ...: the words of docs/conformance.md; null past the last. */
 /*@ assigns \result \from verdict;
     ensures known: 0 <= verdict < ET_VERDICTS ==> valid_read_string(\result);
     ensures past:  !(0 <= verdict < ET_VERDICTS) ==> \result == \null;
 */
 const char *et_judge_name(et_verdict verdict);
 
-/* "valid", "implementation_defined", "invalid"; null past the last.
- * Golden: none (names). */
+/* "valid", "implementation_defined", "invalid"; null past the last. */
 /*@ assigns \result \from validity;
     ensures known: 0 <= validity <= ET_INVALID ==> valid_read_string(\result);
     ensures past:  !(0 <= validity <= ET_INVALID) ==> \result == \null;
