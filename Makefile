@@ -67,15 +67,17 @@ GSL    := -lgsl -lgslcblas -lsisl
 LIBROOMS := $(filter-out cli,$(ROOMS))
 SRC   := $(filter-out $(LEFT_OUT),$(foreach r,$(LIBROOMS),$(wildcard src/$(r)/*.c) $(wildcard src/$(r)/*.cpp)))
 CLI   := $(filter-out $(LEFT_OUT),$(if $(filter cli,$(ROOMS)),$(wildcard src/cli/*.c)))
-TEST  := $(filter-out $(LEFT_OUT),$(wildcard tests/*.c) $(foreach r,$(LIBROOMS),$(wildcard tests/$(r)/test_*.c)))
+TEST  := $(filter-out $(LEFT_OUT),$(wildcard tests/*.c) $(foreach r,$(ROOMS),$(wildcard tests/$(r)/test_*.c)))
 BENCH := $(wildcard tests/bench/bench_*.c tests/bench/*_table.c)
 MODULES := $(basename $(notdir $(SRC)))
 ROWS    := $(foreach m,$(MODULES),$(wildcard golden/$(m).tsv))
+VECTORS := $(if $(filter conform,$(ROOMS)),$(filter-out %/schema.json,$(wildcard golden/conformance/*.json)))
 CORPUS  := $(foreach m,$(MODULES),$(wildcard fuzz/corpus/$(m)/*))
 OBJ    = $(addprefix $(B)/,$(addsuffix .o,$(1)))
 LIBO  := $(call OBJ,$(filter %.c,$(SRC))) $(call OF,$(filter %.cpp,$(SRC)))
 CLIO  := $(call OBJ,$(CLI))
-TESTO := $(call OF,$(TEST))
+# The command's own readers are tested from inside.
+TESTO := $(call OF,$(TEST) $(filter-out src/cli/main.c,$(CLI)))
 FUZZO := $(filter-out $(B)/tests/check.c.o,$(TESTO)) $(B)/fuzz/fuzz.c.o $(B)/registry.o
 BENCHO := $(call OBJ,$(wildcard tests/bench/*.c))
 INPUTO  := $(call OBJ,$(wildcard tests/bench/*_input.c))
@@ -98,7 +100,7 @@ $(B)/%.c.o: %.c
 $(B)/%.cpp.o: %.cpp
 	@mkdir -p $(@D)
 	$(CXX) $(CXXFLAGS) -MMD -MP -c -o $@ $<
--include $(patsubst %.o,%.d,$(LIBO) $(CLIO) $(TESTO) $(BENCHO) $(B)/fuzz/fuzz.c.o)
+-include $(patsubst %.o,%.d,$(LIBO) $(CLIO) $(TESTO) $(BENCHO) $(B)/tests/conform/frozen.c.o $(B)/fuzz/fuzz.c.o)
 
 # The list of properties and of golden checks is read off the tests' own definitions.
 $(B)/registry.c: $(TEST) $(B)/test.list tests/registry.sh
@@ -117,16 +119,16 @@ $(B)/fuzzer: $(FUZZO) $(B)/libetalon.a
 
 # Each prints one line a test and a last line `N passed, N failed`; sum.sh adds them up.
 SUM := sh tests/sum.sh
-test: $(B)/check
+test: $(B)/check $(if $(VECTORS),$(B)/frozen)
 	@$(SUM) '$(B)/check' $(if $(CORPUS),'$(B)/check --replay $(CORPUS)') $(if $(ROWS),'$(B)/check --golden $(ROWS)') \
-	  $(if $(ROWS),$(if $(filter exact,$(ROOMS)),'$(B)/check --truth $(ROWS)'))
+	  $(if $(ROWS),$(if $(filter exact,$(ROOMS)),'$(B)/check --truth $(ROWS)')) $(if $(VECTORS),'$(B)/frozen $(VECTORS)')
 harness:
 	@$(SUM) 'sh tests/harness.sh $(BUILD)/harness $(CC_release)' 'sh tests/harness/rooms.sh $(BUILD)/harness $(CC_release)'
 bites: $(B)/check
 	@$(B)/check --bite $(ROWS)
 # The rows are made again by their generators, and computed by the functions and by the exact layer.
-golden: $(B)/check
-	@$(SUM) '$(MAKE) -s rows' '$(B)/check --golden $(ROWS)' '$(B)/check --truth $(ROWS)'
+golden: $(B)/check $(if $(VECTORS),$(B)/frozen)
+	@$(SUM) '$(MAKE) -s rows' '$(B)/check --golden $(ROWS)' '$(B)/check --truth $(ROWS)' $(if $(VECTORS),'$(B)/frozen $(VECTORS)')
 rows:
 	@$(SUM) 'sh tests/golden.sh compare $(BUILD)/golden' 'python3 tests/golden/second.py'
 golden-accept:
@@ -148,6 +150,9 @@ accuracy: $(B)/accuracy
 	@sh tests/accuracy.sh $(B)/accuracy 10000000 docs/accuracy.md
 within: $(B)/accuracy
 	@$(B)/accuracy 20000 > /dev/null && echo "ok errors of bases and points stay below their bounds"
+# The frozen vectors, against the exact layer and the judge.
+$(B)/frozen: $(B)/tests/conform/frozen.c.o $(B)/libetalon.a
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(B)/accuracy: $(B)/tests/bench/accuracy.c.o $(B)/libetalon.a
 	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 bits:
