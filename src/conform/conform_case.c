@@ -3,12 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* So many in a row, and the rest of the operation is left out. */
-enum { TIMEOUTS = 3, CRASHES = 8 };
+/* So many in a row, and the rest of the operation is left out; so many timeouts in a row whatever is asked, and all the rest is. */
+enum { TIMEOUTS = 3, CRASHES = 8, HUNG = 12 };
 
 int conform_given_up(const conform_run *run, et_request_op op)
 {
-    return run->timeouts[op] >= TIMEOUTS || run->crashes[op] >= CRASHES;
+    return run->timeouts[op] >= TIMEOUTS || run->crashes[op] >= CRASHES || run->hung >= HUNG;
 }
 
 void conform_free_case(conform_case *c)
@@ -26,6 +26,7 @@ void conform_count(conform_run *run, et_request_op op, et_category category, et_
 
 static void keep_rows(conform_run *run, et_request_op op, et_asked how)
 {
+    run->hung = how == ET_ASKED_TIMEOUT ? run->hung + 1 : 0;
     if (how == ET_ASKED_TIMEOUT)
         run->timeouts[op]++;
     else if (how == ET_ASKED_CRASH)

@@ -2,8 +2,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How often the program is asked while a request is made small; hanging costs its whole time limit each time. */
-enum { CALLS = 400, CALLS_CRASH = 100, CALLS_TIMEOUT = 6 };
+/* How often the program is asked while a request is made small.  A crash costs a new start, hanging its whole time limit: of these there are so many in
+ * the whole run. */
+enum { CALLS = 400, CALLS_CRASH = 40, ALL_CRASH = 400, CALLS_TIMEOUT = 6, ALL_TIMEOUT = 12 };
 
 static int same_text(const char *a, const char *b)
 {
@@ -100,6 +101,7 @@ static int still_fails(void *context, const et_request *request)
     if (s->status != ET_OK || et_task_step(s->run->task, s->run->done, s->run->total) != ET_OK)
         return 0;
     const et_status status = try_again(&c, s, request);
+    s->run->calls[s->verdict]++;
     const int fails = status == ET_OK && c.judgement.verdict == s->verdict;
     conform_free_case(&c);
     /* What the exact layer cannot decide is no example. */
@@ -107,9 +109,13 @@ static int still_fails(void *context, const et_request *request)
     return fails;
 }
 
-static size_t calls_for(et_verdict verdict)
+static size_t calls_for(const conform_run *run, et_verdict verdict)
 {
-    return verdict == ET_VERDICT_TIMEOUT ? CALLS_TIMEOUT : verdict == ET_VERDICT_CRASH ? CALLS_CRASH : CALLS;
+    if (verdict == ET_VERDICT_TIMEOUT)
+        return run->calls[verdict] < ALL_TIMEOUT ? CALLS_TIMEOUT : 0;
+    if (verdict == ET_VERDICT_CRASH)
+        return run->calls[verdict] < ALL_CRASH ? CALLS_CRASH : 0;
+    return CALLS;
 }
 
 /* What is told of the smallest request, if it fails once more. */
@@ -134,15 +140,18 @@ static et_status shrink(conform_run *run, et_conform_finding *f, const conform_c
 {
     shrinking s = { run, c->judgement.verdict, ET_OK, c->category };
     const et_request_op op = c->request.op;
-    const unsigned timeouts = run->timeouts[op], crashes = run->crashes[op];
+    const unsigned timeouts = run->timeouts[op], crashes = run->crashes[op], hung = run->hung;
+    const size_t calls = calls_for(run, s.verdict);
     et_request small;
-    et_status status = et_request_copy(&small, &c->request);
 
+    if (calls == 0)
+        return ET_OK;
+    et_status status = et_request_copy(&small, &c->request);
     if (status != ET_OK)
         return status;
-    run->timeouts[op] = run->crashes[op] = 0;
+    run->timeouts[op] = run->crashes[op] = run->hung = 0;
     if (still_fails(&s, &small)) {
-        status = et_campaign_shrink(&small, still_fails, &s, calls_for(s.verdict));
+        status = et_campaign_shrink(&small, still_fails, &s, calls);
         if (status == ET_OK)
             status = s.status;
         if (status == ET_OK)
@@ -153,7 +162,9 @@ static et_status shrink(conform_run *run, et_conform_finding *f, const conform_c
     et_request_free(&small);
     run->timeouts[op] = timeouts;
     run->crashes[op] = crashes;
-    return status;
+    run->hung = hung;
+    /* A program that does not start any more ends the run when the next request is asked, not before what is known has been counted. */
+    return status == ET_EIO ? ET_OK : status;
 }
 
 /* ---- telling ---- */

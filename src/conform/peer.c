@@ -69,6 +69,20 @@ static int set_attributes(posix_spawnattr_t *a)
            && posix_spawnattr_setpgroup(a, 0) == 0 && posix_spawnattr_setsigdefault(a, &defaults) == 0 && posix_spawnattr_setsigmask(a, &none) == 0;
 }
 
+/* What the shell is given.  A plain command takes the shell's place, so that nobody but it holds the pipes, and its end by a signal is seen. */
+static char *shell_command(const char *command)
+{
+    const char *before = strpbrk(command, ";&|<>()$`={}#!\n") ? "" : "exec ";
+    const size_t length = strlen(before) + strlen(command) + 1;
+    char *text = malloc(length);
+
+    if (text) {
+        memcpy(text, before, strlen(before));
+        memcpy(text + strlen(before), command, strlen(command) + 1);
+    }
+    return text;
+}
+
 /* 0, or the error's number. */
 static int spawn(pid_t *pid, const char *command, int in, int out)
 {
@@ -77,7 +91,7 @@ static int spawn(pid_t *pid, const char *command, int in, int out)
     char *arguments[] = { (char[]){ "sh" }, (char[]){ "-c" }, NULL, NULL };
     int error = ENOMEM;
 
-    arguments[2] = strdup(command);
+    arguments[2] = shell_command(command);
     if (!arguments[2])
         return error;
     if (posix_spawn_file_actions_init(&actions) == 0) {
@@ -163,6 +177,9 @@ static et_asked crash(const et_peer *peer, et_message *text)
 
     if (!ends(peer, &info, 0.2))
         et_status_fail(text, ET_OK, "it closed its input or its output instead of replying");
+    else if (info.si_code == CLD_EXITED && info.si_status > 128 && info.si_status < 160)
+        et_status_fail(text, ET_OK, "it ended with exit code %d, which is signal %d (%s)", info.si_status, info.si_status - 128,
+                       strsignal(info.si_status - 128));
     else if (info.si_code == CLD_EXITED)
         et_status_fail(text, ET_OK, "it ended with exit code %d instead of replying", info.si_status);
     else

@@ -103,9 +103,9 @@ P
 run() {
     mode=$1 seconds=$2 code=$3 expression=$4; shift 4
     rm -f started
-    timeout -k 1 "$seconds" "$etalon" conform --adapter "python3 h.py '$mode'" --ops span,multiplicity,greville --timeout 1 --json "$@" > out.json 2> err
+    timeout -k 1 "$seconds" "$etalon" conform --adapter "python3 h.py '$mode'" --ops span,multiplicity,greville --timeout 1 --json "$@" > out.json 2> said
     got=$?
-    if [ "$got" -ne "$code" ]; then fail "$mode" "exit code $got, not $code: $(head -c 300 err)"; return; fi
+    if [ "$got" -ne "$code" ]; then fail "$mode" "exit code $got, not $code: $(head -c 300 said)"; return; fi
     holds "$mode" "(lambda v, o, f: $expression)(j['verdicts'], j['operations'], j['findings'])" out.json
 }
 bad="sum(n for k, n in v.items() if k not in ('correctly_rounded', 'within_bound', 'unsupported'))"
@@ -124,7 +124,7 @@ run deaf 8 1 "$start and v['timeout'] == 1"
 run 'ends at start' 8 1 "$start and v['crash'] == 1 and 'exit code 0' in f[0]['text']"
 run 'dies at start' 8 1 "$start and v['crash'] == 1 and ('signal 11' in f[0]['text'] or '139' in f[0]['text'])"
 run 'talks first' 8 1 "$start and v['wrong'] == 1"
-run 'closes its input' 20 1 "$bad >= 1 and v['wrong'] + v['crash'] >= 1"
+run 'closes its input' 60 1 "$bad >= 1 and v['wrong'] + v['crash'] >= 1"
 run 'hello of two' 8 1 "$start and v['wrong'] == 1 and 'protocol=2' in f[0]['text']"
 run 'hello without a name' 8 1 "$start and v['wrong'] == 1 and 'name is missing' in f[0]['text']"
 run 'hello of rubbish' 8 1 "$start and v['wrong'] == 1"
@@ -144,7 +144,7 @@ run 'ends at the fifth' 60 1 "v['crash'] > 0 and v['correctly_rounded'] > 0 and 
 run 'dies at the fifth' 60 1 "v['crash'] > 0 and ('signal 9' in f[0]['text'] or '137' in f[0]['text'])"
 run 'dies after each' 60 1 "v['crash'] > 0 and v['wrong'] == 0"
 run 'dies at every start again' 60 1 "v['crash'] == 2"
-grep -q 'does not start any more' err && pass 'and says so' || fail 'and says so' "$(cat err)"
+grep -q 'does not start any more' said && pass 'and says so' || fail 'and says so' "$(cat said)"
 run 'another hello' 60 1 "v['nondeterministic'] > 0 and any('hello was another' in g['text'] for g in f)"
 run 'another number' 60 1 "v['wrong'] > 5 and 'answered' in f[0]['text'] and 'when asked' in f[0]['text']"
 run 'out of order' 60 1 "v['wrong'] > 5"
@@ -165,7 +165,7 @@ run 'off by one' 60 1 "o['span']['wrong'] > 5 and o['multiplicity']['wrong'] == 
 run random 60 1 "v['nondeterministic'] > 5"
 run stateful 60 1 "v['nondeterministic'] > 0 and v['wrong'] >= 0"
 run 'drops out' 60 1 "v['nondeterministic'] > 0"
-run 'closes its output' 60 1 "v['crash'] > 0"
+run 'closes its output' 60 1 "v['crash'] > 0 and v['timeout'] == 0"
 run 'a child keeps the pipe' 60 1 "v['crash'] > 0 and v['timeout'] == 0"
 run children 60 1 "v['timeout'] > 0"
 run late 60 1 "v['timeout'] > 0"
@@ -212,8 +212,8 @@ grep -q '^> 0 hello 1$' talk && grep -q '^< 0 ok protocol=1' talk && grep -q '^>
 want 'findings can be left out' 1 "$etalon" conform --adapter "$wrong" $ops --findings 0
 grep -q '^1\. ' out && fail 'none is told' || pass 'none is told'
 want 'a finding can be tried' 1 "$etalon" conform --adapter "$wrong" $ops --findings 1
-line=$(grep -m 1 "^    echo '1 " out)
-[ "$(sh -c "$line")" = "$(sed -n 's/^    reply: /1 /p' out | head -n 1)" ] && pass 'and shows what was told' || fail 'and shows what was told' "$line"
+sh -c "$(grep -m 1 "^    echo '1 " out)" > again; sed -n 's/^    reply: /1 /p' out | head -n 1 > told
+python3 -c "a, b = (open(f).read().split() for f in ('again', 'told')); assert a[:2] == b[:2] and float(a[2]) == float.fromhex(b[2])" 2> err && pass 'and shows what was told' || fail 'and shows what was told' "$(cat again told)"
 says 'no adapter' 2 'adapter is missing' "$etalon" conform
 says 'no such operation' 2 "'fold'" "$etalon" conform --adapter "$good" --ops span,fold
 says 'no such level' 2 'level' "$etalon" conform --adapter "$good" --level 4

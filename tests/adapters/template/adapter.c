@@ -3,6 +3,7 @@
  *     cc -o adapter adapter.c && etalon conform --adapter ./adapter
  *
  * To the extent possible under law, the authors have waived all rights to this file (CC0 1.0). */
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,11 +44,11 @@ static void basis(double *N, size_t k, size_t p, const double *u, double x)
     }
 }
 
-/* Requests that break a rule are refused. */
+/* Requests that break a rule are refused; spans below DBL_MIN, by which one cannot divide, may be. */
 static int valid(size_t p, const double *u, size_t nu, double x)
 {
     for (size_t i = 0; i < nu; i++)
-        if (!isfinite(u[i]) || (i > 0 && u[i] < u[i - 1]))
+        if (!isfinite(u[i]) || (i > 0 && u[i] != u[i - 1] && u[i] - u[i - 1] < DBL_MIN))
             return 0;
     return nu >= 2 * p + 2 && u[p] < u[nu - p - 1] && u[p] <= x && x <= u[nu - p - 1];
 }

@@ -36,6 +36,8 @@ class Refused(Exception):
 def check(p, u, x):
     if len(u) < 2 * p + 2 or not all(map(math.isfinite, u)) or any(a > b for a, b in zip(u, u[1:])) or not u[p] < u[-p - 1]:
         raise Refused('these are no knots')
+    if any(0 < b - a < sys.float_info.min for a, b in zip(u, u[1:])):
+        raise Refused('a span by which one cannot divide')          # such requests may be refused
     if not u[p] <= x <= u[-p - 1]:
         raise Refused('outside the domain')
 
