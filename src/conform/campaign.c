@@ -175,6 +175,11 @@ double campaign_real(campaign_maker *m, double lo, double hi)
     return lo + (hi - lo) * (high + 0x1p-32 * low);
 }
 
+double campaign_clamp(double lo, double x, double hi)
+{
+    return x < lo ? lo : x > hi ? hi : x;
+}
+
 double *campaign_array(campaign_maker *m, size_t n)
 {
     if (n > m->size - m->used) {

@@ -35,7 +35,8 @@ static int spoil_list(campaign_maker *m, int k, size_t width)
     if (k < 0 || value(m, k)->count == 0) {
         return 0;
     }
-    value(m, k)->x[campaign_pick(m, value(m, k)->count * width)] = broken(m);
+    const size_t i = campaign_pick(m, value(m, k)->count * width);
+    value(m, k)->x[i] = broken(m);
     return 1;
 }
 
@@ -90,16 +91,17 @@ static int other_number(campaign_maker *m, int k)
 
 static int bad_weight(campaign_maker *m, int net)
 {
-    if (net < 0 || !m->hello->rational) {
+    if (net < 0) {
         return 0;
     }
     const size_t n = value(m, net)->count;
     double *w = campaign_array(m, n + 1);
-    for (size_t i = 0; i <= n; i++) {
-        w[i] = 1.0;
+    for (size_t k = 0; k <= n; k++) {
+        w[k] = 1.0;
     }
     const size_t kind = campaign_pick(m, 4);
-    w[campaign_pick(m, n)] = kind == 0 ? -1.0 : kind == 1 ? NAN : kind == 2 ? HUGE_VAL : 1.0;
+    const size_t i = campaign_pick(m, n);
+    w[i] = kind < 2 ? -1.0 : kind == 2 ? broken(m) : 1.0;
     campaign_list(m, net + 1, w, kind < 3 ? n : campaign_pick(m, 2) ? n + 1 : n - 1);
     return kind < 3 || value(m, net + 1)->count > 0;
 }
@@ -194,36 +196,62 @@ static int bad_counts(campaign_maker *m, size_t kind)
     }
 }
 
-static int spoil(campaign_maker *m, size_t kind)
+/* The rules that can be broken, in the order in which they take turns. */
+typedef enum { DECREASE, KNOT, WEIGHT, PARAMETER, POINT, EDIT, NUMBER, KNOTS, DATUM, COUNTS, SITES, EMPTY, DATA, KINDS } fault;
+
+/* Whether the operation has what the fault is about. */
+static int applies(const campaign_maker *m, fault kind)
+{
+    const campaign_layout *l = m->layout;
+    const int knots = l->axes > 0, degree = knots && l->axis[0].degree >= 0;
+    switch (kind) {
+    case DECREASE: case KNOT: return knots;
+    case PARAMETER: return l->at >= 0 || (knots && l->axis[0].at >= 0);
+    case POINT: case NUMBER: return l->net[0] >= 0;
+    case WEIGHT: return l->net[0] >= 0 && m->hello->rational;
+    case EDIT: return l->times >= 0 && m->op != ET_OP_CURVE_ELEVATE && m->op != ET_OP_SURFACE_ELEVATE;
+    case KNOTS: case EMPTY: return degree;
+    case DATUM: return l->data >= 0;
+    case DATA: return l->data >= 0 && m->op != ET_OP_PARAMETERS;
+    case SITES: return knots && l->axis[0].sites >= 0;
+    default: return m->op >= ET_OP_PARAMETERS && m->op != ET_OP_CURVE_NEAREST && m->op != ET_OP_SURFACE_NEAREST && m->op != ET_OP_SURFACE_ERROR &&
+                    m->op != ET_OP_SEAM_GAP;
+    }
+}
+
+static int spoil(campaign_maker *m, fault kind)
 {
     const campaign_layout *l = m->layout;
     const campaign_axis *a = &l->axis[l->axes > 1 ? campaign_pick(m, l->axes) : 0];
-    const int knots = l->axes > 0 ? a->knots : -1, net = l->net[l->net[1] >= 0 ? campaign_pick(m, 2) : 0];
-    const int at = l->axes > 0 && l->along < 0 ? a->at : l->at;
+    const int net = l->net[l->net[1] >= 0 ? campaign_pick(m, 2) : 0], at = l->along < 0 ? a->at : l->at;
     switch (kind) {
-    case 0: return knots >= 0 && decrease(m, knots);
-    case 1: return spoil_list(m, knots, 1);
-    case 2: return one_number(m, at);
-    case 3: return spoil_list(m, net, 3);
-    case 4: return other_number(m, net);
-    case 5: return bad_edit(m);
-    case 6: return knots >= 0 && fewer_knots(m, a);
-    case 7: return bad_weight(m, net);
-    case 8: return spoil_list(m, l->data, 3);
-    case 9: return bad_counts(m, campaign_pick(m, 20));
-    case 10: return l->axes > 0 && bad_sites(m, a, campaign_pick(m, 4));
-    case 11: return knots >= 0 && empty(m, a);
-    case 12: return other_number(m, l->data);
-    case 13: return bad_edit(m);
-    default: return bad_counts(m, campaign_pick(m, 20));
+    case DECREASE: return decrease(m, a->knots);
+    case KNOT: return spoil_list(m, a->knots, 1);
+    case WEIGHT: return bad_weight(m, net);
+    case PARAMETER: return one_number(m, at);
+    case POINT: return spoil_list(m, net, 3);
+    case EDIT: return bad_edit(m);
+    case NUMBER: return other_number(m, net);
+    case KNOTS: return fewer_knots(m, a);
+    case DATUM: return spoil_list(m, l->data, 3);
+    case COUNTS: return bad_counts(m, campaign_pick(m, 20));
+    case SITES: return bad_sites(m, a, campaign_pick(m, 4));
+    case EMPTY: return empty(m, a);
+    default: return other_number(m, l->data);
     }
 }
 
 void campaign_spoil(campaign_maker *m)
 {
-    enum { KINDS = 15 };
+    fault kinds[KINDS];
+    size_t n = 0;
     int done = 0;
-    for (size_t k = 0; k < 4 * KINDS && !done && m->status == ET_OK; k++) {
-        done = spoil(m, (size_t)((m->number + k) % KINDS));
+    for (int k = 0; k < KINDS; k++) {
+        if (applies(m, (fault)k)) {
+            kinds[n++] = (fault)k;
+        }
+    }
+    for (size_t k = 0; k < 4 * n && !done && m->status == ET_OK; k++) {
+        done = spoil(m, kinds[(size_t)((m->number + k) % n)]);
     }
 }

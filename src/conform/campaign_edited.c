@@ -58,7 +58,7 @@ static et_status ask_at(et_request *q, et_request_op op, const et_request *from,
 static double within(campaign_relation *r, const et_request_value *u, size_t p)
 {
     const double lo = u->x[p], hi = u->x[u->count - 1 - p], x = lo + (hi - lo) * et_rng_uniform(r->rng);
-    return fmin(hi, fmax(lo, x));
+    return campaign_clamp(lo, x, hi);
 }
 
 /* What errors of the new control points do to a point: each is a sum with convex coefficients, so its error is at most k u times the greatest |w P|;

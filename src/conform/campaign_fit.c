@@ -19,7 +19,7 @@ static size_t good_sites(campaign_maker *m, double *t, const campaign_basis *b, 
         for (size_t k = 1; k <= b->p; k++) {
             sum += b->u[i + k] / (double)b->p;
         }
-        t[n++] = fmin(b->u[b->n], fmax(b->u[b->p], sum));
+        t[n++] = campaign_clamp(b->u[b->p], sum, b->u[b->n]);
     }
     for (size_t k = 0; k < more; k++) {
         t[n++] = m->category == ET_CATEGORY_NEAR_KNOTS || m->category == ET_CATEGORY_REPEATED_KNOTS ? campaign_place(m, b, 0) : campaign_inside(m, b);
@@ -109,7 +109,7 @@ static void scatter(campaign_maker *m, double *t[2], const size_t n[2], const ca
         for (size_t c = 0; c < 2; c++) {
             const double lo = b[c].u[b[c].p], hi = b[c].u[b[c].n], x = t[c][at[c]];
             const double moved = x + (hi - lo) * campaign_real(m, -0x1p-8, 0x1p-8);
-            a[c][k] = still ? x : fmin(hi, fmax(lo, moved));
+            a[c][k] = still ? x : campaign_clamp(lo, moved, hi);
         }
     }
     for (size_t k = count; k > 1; k--) {
@@ -199,8 +199,8 @@ void campaign_draw_knots(campaign_maker *m)
 {
     enum { PIEGL, AVERAGING, FAITHFUL, UNIFORM };
     const size_t rule = campaign_kind(m, 4), p = campaign_degree(m, 0, 1, 25), large = m->category == ET_CATEGORY_SIZE ? 300 : 0;
-    const size_t n = p + 1 + campaign_pick(m, 9) + (large ? campaign_pick(m, 600) : 0);
-    const size_t count = rule == AVERAGING ? n : rule == UNIFORM ? 2 + campaign_pick(m, 10) : n + campaign_pick(m, 12) + campaign_pick(m, large + 1);
+    const size_t n = p + 1 + campaign_pick(m, large ? 600 : 9), more = campaign_pick(m, 12 + large);
+    const size_t count = rule == AVERAGING ? n : rule == UNIFORM ? 2 + more % 10 : n + more;
     double *t = campaign_array(m, count);
     parameter_line(m, t, count < 2 ? 2 : count);
     campaign_count(m, 0, rule);

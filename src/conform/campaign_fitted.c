@@ -386,7 +386,7 @@ void campaign_relate_nearest(campaign_relation *r, et_request_op op)
     for (size_t k = 0; k < l->axes; k++) {
         const et_request_value *u = &r->told->arg[l->axis[k].knots];
         const double lo = u->x[0], hi = u->x[u->count - 1];
-        x[k] = fmin(hi, fmax(lo, lo + (hi - lo) * et_rng_uniform(r->rng)));
+        x[k] = campaign_clamp(lo, lo + (hi - lo) * et_rng_uniform(r->rng), hi);
     }
     if (!on_it(r, P, x[0], x[1])) {
         campaign_decide(r, ET_VERDICT_UNSUPPORTED, "");

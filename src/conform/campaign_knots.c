@@ -215,7 +215,7 @@ double campaign_inside(campaign_maker *m, const campaign_basis *b)
 {
     const double lo = b->u[b->p], hi = b->u[b->n];
     const double f = campaign_pick(m, 3) == 0 ? 0.0625 * (double)campaign_pick(m, 17) : campaign_real(m, 0.0, 1.0);
-    return fmin(hi, fmax(lo, lo + (hi - lo) * f));
+    return campaign_clamp(lo, lo + (hi - lo) * f, hi);
 }
 
 /* The first knot of a span that is not empty, of the domain. */
@@ -271,7 +271,7 @@ static double near_knot(campaign_maker *m, const campaign_basis *b)
         return campaign_pick(m, 2) ? 0.0 : -0.0;
     }
     const double y = turn == 0 ? x : beside(m, x, turn == 1 ? 1.0 : -1.0, hi - lo);
-    return fmin(hi, fmax(lo, y));
+    return campaign_clamp(lo, y, hi);
 }
 
 double campaign_place(campaign_maker *m, const campaign_basis *b, size_t axis)
@@ -292,7 +292,7 @@ double campaign_place(campaign_maker *m, const campaign_basis *b, size_t axis)
     if (turn < 5) {
         const size_t k = turn == 2 ? b->n - 1 : turn == 3 ? b->p : span(m, b);
         const double x = b->u[k] + (b->u[k + 1] - b->u[k]) * (turn == 4 ? 0.5 : campaign_real(m, 0.0, 1.0));
-        return fmin(b->u[b->n], fmax(b->u[b->p], x));
+        return campaign_clamp(b->u[b->p], x, b->u[b->n]);
     }
     return campaign_inside(m, b);
 }

@@ -24,7 +24,7 @@ static double simpler(double x, size_t way)
     case 6: return fabs(x) < 0x1p53 ? ceil(x) : x;
     case 7: return e > 4 || e < -4 ? 2.0 * r : x;                        /* near 1 */
     case 8: return e > 4 || e < -4 ? ldexp(r, e - e / 2) : x;
-    case 9: return e > 4 || e < -4 ? ldexp(r, e - (e > 0 ? 1 : -1)) : x;
+    case 9: return ldexp(r, e - (e > 0 ? 1 : -1));
     default: {
         const double kept = ldexp(floor(ldexp(fabs(r), bits[way - 10])), e - bits[way - 10]);
         return x < 0.0 ? -kept : kept;

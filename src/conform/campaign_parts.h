@@ -49,6 +49,7 @@ typedef struct { size_t p, nu, n; double *u; } campaign_basis;
 size_t campaign_pick(campaign_maker *m, size_t n);                 /* 0 .. n-1 */
 size_t campaign_kind(const campaign_maker *m, size_t n);           /* the case's number, modulo n */
 double campaign_real(campaign_maker *m, double lo, double hi);     /* 53 bits */
+double campaign_clamp(double lo, double x, double hi);             /* C's fmin and fmax leave the sign of a zero open */
 double *campaign_array(campaign_maker *m, size_t n);
 void campaign_count(campaign_maker *m, int k, size_t count);
 void campaign_list(campaign_maker *m, int k, const double *x, size_t n);     /* reals or points: n of them */

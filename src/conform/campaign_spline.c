@@ -63,7 +63,8 @@ void campaign_draw_spline(campaign_maker *m)
     campaign_basis b[2] = {{0, 0, 1, NULL}, {0, 0, 1, NULL}};
     size_t p = 0;
     for (size_t k = 0; k < l->axes; k++) {
-        b[k] = campaign_knots(m, k, campaign_degree(m, k, least_degree(m), 25), campaign_spans(m, k));
+        const size_t degree = campaign_degree(m, k, least_degree(m), 25);
+        b[k] = campaign_knots(m, k, degree, campaign_spans(m, k));
         campaign_put_basis(m, &l->axis[k], &b[k]);
         campaign_number(m, l->axis[k].at, campaign_place(m, &b[k], k));
         if (l->axis[k].side >= 0) {
@@ -324,13 +325,14 @@ void campaign_draw_error(campaign_maker *m)
     campaign_basis b[2];
     size_t n[2];
     for (size_t k = 0; k < 2; k++) {
-        b[k] = campaign_knots(m, k, campaign_degree(m, k, 1, 25), campaign_spans(m, k));
+        const size_t degree = campaign_degree(m, k, 1, 25);
+        b[k] = campaign_knots(m, k, degree, campaign_spans(m, k));
         campaign_put_basis(m, &l->axis[k], &b[k]);
         n[k] = m->category == ET_CATEGORY_SIZE ? 20 + campaign_pick(m, 20) : 1 + campaign_pick(m, 4);
         double *t = campaign_array(m, n[k]);
         for (size_t i = 0; i < n[k]; i++) {
             /* Sites outside the domain are another question. */
-            t[i] = m->category == ET_CATEGORY_PLAIN ? campaign_inside(m, &b[k]) : fmin(b[k].u[b[k].n], fmax(b[k].u[b[k].p], campaign_place(m, &b[k], k)));
+            t[i] = m->category == ET_CATEGORY_PLAIN ? campaign_inside(m, &b[k]) : campaign_clamp(b[k].u[b[k].p], campaign_place(m, &b[k], k), b[k].u[b[k].n]);
         }
         campaign_list(m, l->axis[k].sites, t, n[k]);
     }
@@ -347,7 +349,12 @@ void campaign_draw_seam(campaign_maker *m)
     const int shell = m->category == ET_CATEGORY_SEAM || campaign_pick(m, 2);
     campaign_basis b[4];
     for (size_t k = 0; k < 4; k++) {
-        b[k] = k > 1 ? b[k - 2] : campaign_knots(m, k, campaign_degree(m, k, 1, 9), campaign_spans(m, k));
+        if (k < 2) {
+            const size_t degree = campaign_degree(m, k, 1, 9);
+            b[k] = campaign_knots(m, k, degree, campaign_spans(m, k));
+        } else {
+            b[k] = b[k - 2];
+        }
         if (k > 1 && !shell) {
             b[k].u = campaign_array(m, b[k].nu);
             for (size_t i = 0; i < b[k].nu; i++) {         /* other knots, as many */

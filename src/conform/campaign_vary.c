@@ -9,10 +9,10 @@ static size_t pick(varier *v, size_t n)
     return et_rng_index(v->rng, n);
 }
 
-/* By ulps, by a part, by a power of two, to the other sign, or to a short number. */
+/* Drawn in statements of their own: the order of two draws in one expression is the compiler's.  By ulps, by a part, by a power of two, to the other sign, or to a short number. */
 static double moved(varier *v, double x)
 {
-    const double sign = pick(v, 2) ? 1.0 : -1.0;
+    const double sign = pick(v, 2) ? 1.0 : -1.0, part = et_rng_uniform(v->rng);
     switch (pick(v, 8)) {
     case 0:
     case 1:
@@ -21,9 +21,9 @@ static double moved(varier *v, double x)
         }
         return x;
     case 2:
-    case 3: return x + sign * x * ldexp(et_rng_uniform(v->rng), -(int)pick(v, 50));
+    case 3: return x + sign * x * ldexp(part, -(int)pick(v, 50));
     case 4: return ldexp(x, (int)pick(v, 7) - 3);
-    case 5: return x * (1.0 + sign * et_rng_uniform(v->rng));
+    case 5: return x * (1.0 + sign * part);
     case 6: return -x;
     default: return x == 0.0 ? sign : floor(x);
     }
