@@ -331,7 +331,7 @@ static size_t needed(fault f, uint64_t seed, size_t most)
 }
 
 /* Level 2 has some 40 cases of each operation and category. */
-/* One case in 10. */
+/* One case in 20. */
 verdict prop_campaign_draw_finds(gen *g)
 {
     const fault f = (fault)gen_upto(g, FAULTS - 1);

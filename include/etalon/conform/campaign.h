@@ -33,7 +33,7 @@ const char *et_campaign_name(et_category category);
 int et_campaign_has(et_request_op op, et_category category);
 
 /* Case number `number` of operation and category of the campaign `seed`: always the same, on every compiler and processor, whatever was drawn before
- * (streams of et_rng_stream; additions, products, quotients and roots only).  The kinds of a category take turns with the number, so that a few cases
+ * (streams of et_rng_stream; additions, products and quotients only; nets of the category size where size_t has 64 bits).  The kinds of a category take turns with the number, so that a few cases
  * show many of them.  A plain case is valid, one of bad_input breaks one rule; the others may be of any validity (docs/campaign.md says where).  The
  * request keeps to what hello offers: operations, degree (that of an elevated curve, too), order, weights, sides; no two different knots, nor a parameter
  * and a knot, within the knot tolerance.  Where the tolerance leaves nothing of a category, a plain case comes instead.  A line has less than 200 kB.
