@@ -526,7 +526,9 @@ static void replay_shrink(const char *path)
 
 static int usage(void)
 {
-    fputs("check [-v] [-n RUNS] [-s SEED] [NAME | MODULE ...]\ncheck [-v] --replay | --shrink | --golden | --truth | --bite FILE...\ncheck --labels [NAME | MODULE ...]\ncheck --list\n", stderr);
+    fputs("check [-v] [-n RUNS] [-s SEED] [NAME | MODULE ...]\n"
+          "check [-v] --replay | --shrink | --golden | --truth | --bite FILE...\n"
+          "check --labels [NAME | MODULE ...]\ncheck --list\n", stderr);
     return 2;
 }
 

@@ -8,7 +8,7 @@ targets=${TARGETS:-'.*_raw(_.*)? .*_sequence .*_sisl .*_gsl exact_(basis|curve|s
 build=$WORK/build libs=$OUT/lib
 
 # What is in C++ is left out, as on other processors, and SISL or Arb's own library where they are not packaged (FLINT 3 contains Arb).
-left="$(echo src/*/*.cpp) $(echo src/cli/*.c) $(grep -l 'etalon/refine/ceres\.h' src/*/*.c tests/*/test_*.c 2> /dev/null | tr '\n' ' ' || :)"
+left="$(echo src/*/*.cpp) $(echo src/cli/*.c tests/cli/test_*.c) $(grep -l 'etalon/refine/ceres\.h' src/*/*.c tests/*/test_*.c 2> /dev/null | tr '\n' ' ' || :)"
 gone='-lceres -lglog -lstdc++' second='-lgsl -lgslcblas -lsisl' include=
 [ -f /usr/include/sisl.h ] || { left="$left $(echo tests/spline/test_*_sisl.c)" second='-lgsl -lgslcblas'; }
 [ -f /usr/include/arb.h ] || { gone="$gone -lflint-arb" include=-I/usr/include/flint; }

@@ -117,6 +117,14 @@ static int honest(const et_search *s, const double *x, const double *value, size
     return 1;
 }
 
+/* The generator is run to its place: a file must not make that take ages.  A coordinate takes a few draws, an individual a tournament's. */
+static int made_so_many(const et_search *s, uint64_t draws, uint64_t generation)
+{
+    const double individual = (double)s->n + (double)s->options.tournament + 1;
+
+    return (double)draws <= 64 * ((double)generation + 1) * (double)s->options.population * individual;
+}
+
 static const char *restore(et_search *s, et_rng *rng, double **history, size_t more, const json_t *o)
 {
     const size_t m = s->options.population, all = m * s->n;
@@ -134,6 +142,8 @@ static const char *restore(et_search *s, et_rng *rng, double **history, size_t m
         bad = "a member is missing or malformed";
     else if (s->velocity && (!take_reals(NULL, all, o, "velocity") || !take_reals(NULL, all, o, "memory") || !take_reals(NULL, m, o, "remembered")))
         bad = "a member of the swarm is missing or malformed";
+    else if (!made_so_many(s, draws, generation))
+        bad = "it tells of more draws than its generations make";
     else if (!(grown = et_size_array((size_t)generation + more, sizeof *grown)))
         bad = "memory is short";
     free(x0);

@@ -28,7 +28,7 @@ ifneq ($(filter $(CROSS),$(P)),)
 SYSROOT ?= $(BUILD)/sysroot/$(P)
 AR      := $(patsubst %-gcc,%-ar,$(firstword $(CC_$(P))))
 # What is in C++ is left out (Ceres; it has no row of class exact or bits), and what uses it, which is also the command; and SISL, a second opinion.
-LEFT_OUT      := $(wildcard src/*/*.cpp) $(wildcard src/cli/*.c) $(shell grep -l 'etalon/refine/ceres\.h' tests/*/test_*.c) $(wildcard tests/*/test_*_sisl.c)
+LEFT_OUT      := $(wildcard src/*/*.cpp) $(wildcard src/cli/*.c tests/cli/test_*.c) $(shell grep -l 'etalon/refine/ceres\.h' tests/*/test_*.c) $(wildcard tests/*/test_*_sisl.c)
 LEFT_OUT_LIBS := -lceres -lglog -lstdc++ -lsisl
 endif
 
