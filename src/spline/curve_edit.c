@@ -21,7 +21,7 @@ et_status et_curve_copy(et_curve *copy, const et_curve *c)
 
 static curve_controls controls(const et_curve *c)
 {
-    return (curve_controls){c->points, c->weights, 1, 0};
+    return (curve_controls){.points = c->points, .weights = c->weights, .step = 1};
 }
 
 static et_status load(curve_net *net, const et_curve *c, size_t room)
@@ -66,7 +66,7 @@ et_status et_curve_remove(et_curve *reduced, size_t *removed, const et_curve *c,
 {
     et_curve t;
     curve_net net;
-    size_t count = 0;
+    size_t count;
     if (!et_curve_valid(c) || !curve_net_removable(c->u, c->p, c->n, x) || !(tolerance >= 0.0) || !isfinite(tolerance)) {
         return ET_EINVAL;
     }
@@ -92,7 +92,8 @@ et_status et_curve_elevate(et_curve *elevated, const et_curve *c, size_t times)
         return ET_EINVAL;
     }
     size_t n = curve_net_elevated(c->u, c->p, c->n, times);
-    if (times > SIZE_MAX - c->p || et_curve_new(&t, c->p + times, n, c->weights != NULL) != ET_OK) {
+    /* Where p + times wraps, n does, too. */
+    if (et_curve_new(&t, c->p + times, n, c->weights != NULL) != ET_OK) {
         return ET_ENOMEM;
     }
     if (load(&net, c, 0) != ET_OK) {

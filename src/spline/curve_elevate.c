@@ -32,8 +32,8 @@ static void multiply(double *v, const double *u, size_t nu)
     }
 }
 
-/* The control point of index i after refinement to knots t[0] = v[i], t[1], ..., but for t[skip], is sum_c alpha[c] P_{span-p+c}: discrete B-splines by the
- * Oslo algorithm (Cohen, Lyche and Riesenfeld 1980), span that of t[0].  What is not zero has support within that of the function it is made of: no
+/* The control point of index i after refinement to knots t[0] = v[i], t[1], ..., but for t[skip], is sum_c alpha[c] P_{span-p+c}: discrete B-splines by
+ * the Oslo algorithm (Cohen, Lyche and Riesenfeld 1980), span that of t[0].  What is not zero has support within that of the function it is made of: no
  * factor is negative, and each alpha is within ((1-u)^(5p), (1-u)^-(5p)) of the exact one. */
 static void discrete(double *alpha, const double *u, size_t p, size_t span, const double *t, size_t skip)
 {
@@ -44,7 +44,6 @@ static void discrete(double *alpha, const double *u, size_t p, size_t span, cons
         for (size_t c = p - k + 1; c <= p; c++) {
             size_t j = span - p + c;
             double width = u[j + k] - u[j], old = alpha[c];
-            alpha[c] = 0.0;
             if (old > 0.0) {
                 alpha[c - 1] += (u[j + k] - x) / width * old;
                 alpha[c] = (x - u[j]) / width * old;
@@ -60,16 +59,11 @@ static void shares(double *row, double *alpha, const double *u, size_t p, size_t
     for (size_t c = 0; c <= p; c++) {
         row[c] = 0.0;
     }
-    for (size_t from = 1; from <= p + 1;) {
-        size_t to = from + 1;
-        while (to <= p + 1 && t[to] == t[from]) {
-            to++;
-        }
-        discrete(alpha, u, p, span, t, from);
+    for (size_t skip = 1; skip <= p + 1; skip++) {
+        discrete(alpha, u, p, span, t, skip);
         for (size_t c = 0; c <= p; c++) {
-            row[c] += (double)(to - from) * alpha[c];
+            row[c] += alpha[c];
         }
-        from = to;
     }
     for (size_t c = 0; c <= p; c++) {
         row[c] /= (double)(p + 1);

@@ -10,7 +10,8 @@
 et_status curve_net_new(curve_net *net, size_t p, size_t n, size_t room, size_t lines, int rational)
 {
     size_t count;
-    if (room > SIZE_MAX - n || p > SIZE_MAX - 1 - n - room || et_size_mul(&count, n + room, lines) != ET_OK) {
+    /* So many points, and their knots, have been had by whoever calls. */
+    if (et_size_mul(&count, n + room, lines) != ET_OK) {
         return ET_ENOMEM;
     }
     curve_net t = {p, n, lines, rational, 0, et_size_array(n + room + p + 1, sizeof(double)), et_size_array(count, sizeof(curve_point)),
@@ -152,15 +153,6 @@ int curve_net_removable(const double *u, size_t p, size_t n, double x)
     return u[p] < x && x < u[n] && et_knots_multiplicity(u, n + p + 1, x) > 0;
 }
 
-static et_status net_copy(curve_net *copy, const curve_net *net)
-{
-    et_status status = curve_net_new(copy, net->p, net->n, 0, net->lines, net->rational);
-    if (status == ET_OK) {
-        copy->exponent = net->exponent;
-    }
-    return status;
-}
-
 static void fill(curve_net *to, const curve_net *net)
 {
     to->n = net->n;
@@ -256,8 +248,8 @@ static int sound(const curve_net *net)
     return 1;
 }
 
-/* A5.8, one knot, the last of those equal to x: half of the equations are solved from the left, half from the right.  How far no point of the curve
- * moves; infinite where a weight would not be positive. */
+/* A5.8, one knot, the last of those equal to x: half of the equations are solved from the left, half from the right.  By how much the curve moves at
+ * most; infinite where a weight would not be positive. */
 static double remove_once(curve_net *net, double x, double reach)
 {
     size_t p = net->p, s = et_knots_multiplicity(net->u, net->n + p + 1, x), r = last_of(net->u, x);
@@ -300,7 +292,7 @@ et_status curve_net_remove(curve_net *net, size_t *removed, double x, size_t tim
     curve_net t;
     size_t count = 0, s = et_knots_multiplicity(net->u, net->n + net->p + 1, x);
     double left = tolerance * least_weight(net), reach = reach_of(net, tolerance);
-    if (net_copy(&t, net) != ET_OK) {
+    if (curve_net_new(&t, net->p, net->n, 0, net->lines, net->rational) != ET_OK) {
         return ET_ENOMEM;
     }
     while (count < times && count < s) {

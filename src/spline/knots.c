@@ -75,7 +75,7 @@ void et_knots_greville(double *g, size_t n, const double *u, size_t nu, size_t p
     for (size_t i = 0; i < n; i++) {
         size_t first = p == 0 ? i : i + 1, last = p == 0 ? i + 1 : i + p;
         double mean = 0.0, count = p == 0 ? 2.0 : (double)p;
-        for (size_t j = first + 1; j <= last; j++) {
+        for (size_t j = first; j <= last; j++) {
             mean += (u[j] - u[first]) / count;
         }
         mean += u[first];

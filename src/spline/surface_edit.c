@@ -79,7 +79,7 @@ et_status et_surface_remove(et_surface *reduced, size_t *removed, const et_surfa
 {
     et_surface t;
     curve_net net;
-    size_t count = 0;
+    size_t count;
     if (!et_surface_valid(s) || !known(along) || !(tolerance >= 0.0) || !isfinite(tolerance)) {
         return ET_EINVAL;
     }
@@ -112,7 +112,8 @@ et_status et_surface_elevate(et_surface *elevated, const et_surface *s, et_direc
     if (!et_knots_clamped(d.u, d.n + d.p + 1, d.p)) {
         return ET_EINVAL;
     }
-    if (times > SIZE_MAX - d.p || storage(&t, s, along, d.p + times, curve_net_elevated(d.u, d.p, d.n, times)) != ET_OK) {
+    /* Where p + times wraps, n does, too. */
+    if (storage(&t, s, along, d.p + times, curve_net_elevated(d.u, d.p, d.n, times)) != ET_OK) {
         return ET_ENOMEM;
     }
     if (load(&net, s, along, 0) != ET_OK) {

@@ -5,7 +5,7 @@
 #include <math.h>
 
 /* Of one direction: the functions that are not zero, N; their derivatives times the span's width, which no scale of the knots lets overflow, dN; and
- * the sums of the magnitudes of what those are made of, size. */
+ * the sums of the magnitudes of what those are made of, size.  One after the other in a workspace. */
 typedef struct {
     double *N, *dN, *size;
     size_t first, most;                   /* the first function, and the greatest of the p + 1 */
@@ -28,81 +28,59 @@ static void derivatives(functions *f, const double *u, size_t nu, size_t p, size
     }
 }
 
-static functions functions_at(const double *u, size_t nu, size_t p, double x, double *rows, double *room, size_t nroom)
+/* In the first 3 (p + 1) doubles of the workspace; the basis works behind them. */
+static functions functions_at(const double *u, size_t nu, size_t p, double x, double *work, size_t nwork)
 {
-    size_t span = et_knots_span(u, nu, p, x);
-    functions f = {rows, rows + p + 1, rows + 2 * (p + 1), span - p, 0};
-    et_basis_eval(f.N, u, nu, p, span, x, room, nroom);
-    derivatives(&f, u, nu, p, span, x, room, nroom);
+    size_t span = et_knots_span(u, nu, p, x), rows = 3 * (p + 1);
+    functions f = {work, work + p + 1, work + 2 * (p + 1), span - p, 0};
+    et_basis_eval(f.N, u, nu, p, span, x, work + rows, nwork - rows);
+    derivatives(&f, u, nu, p, span, x, work + rows, nwork - rows);
     for (size_t r = 1; r <= p; r++) {
         f.most = f.N[r] > f.N[f.most] ? r : f.most;
     }
     return f;
 }
 
-/* The control points of one parameter, as seen from that of the greatest share, and all, if that is not 0, times powers of two: points and weights
- * are at most 1.  Where all that matter coincide, as at a pole, what follows is 0 and not its roundings. */
+/* The control points of one parameter as seen from that of the greatest share, all times 2^-exponent and weights times 2^-weight: the greatest coordinate
+ * and the greatest weight are from 1/2 to 1.  Where all that matter coincide, as at a pole, what follows is 0 and not its roundings. */
 typedef struct {
     const et_surface *s;
     et_vec3 origin;
     size_t first;
-    double share, unit, weight;
+    int exponent, weight;
 } view;
-
-/* P - O, or half of it, which does not overflow. */
-static et_vec3 apart(const view *w, size_t index)
-{
-    et_vec3 P = w->s->points[index], O = w->origin;
-    double a = w->share;
-    return (et_vec3){a * P.x - a * O.x, a * P.y - a * O.y, a * P.z - a * O.z};
-}
-
-/* The power of two that takes most into [1/2, 1), 2^1000 at most. */
-static double reciprocal(double most)
-{
-    int e;
-    frexp(most, &e);
-    return ldexp(1.0, most > 0.0 && e < -1000 ? 1000 : -e);
-}
 
 static double greatest(et_vec3 P)
 {
     return fmax(fabs(P.x), fmax(fabs(P.y), fabs(P.z)));
 }
 
-/* The greatest coordinate of the p + 1 by q + 1 control points, as seen. */
-static double most_of(const view *w)
+static et_vec3 scaled(et_vec3 P, int exponent)
 {
-    double most = 0.0;
-    for (size_t k = 0; k <= w->s->p; k++) {
-        for (size_t l = 0; l <= w->s->q; l++) {
-            most = fmax(most, greatest(apart(w, w->first + k * w->s->nv + l)));
-        }
-    }
-    return most;
+    return (et_vec3){ldexp(P.x, exponent), ldexp(P.y, exponent), ldexp(P.z, exponent)};
 }
 
 static view view_of(const et_surface *s, const functions *f, const functions *g)
 {
-    view w = {s, {0.0, 0.0, 0.0}, f->first * s->nv + g->first, 1.0, 1.0, 1.0};
-    double weight = s->weights ? 0.0 : 1.0;
-    w.share = most_of(&w) < 0x1p1000 ? 1.0 : 0.5;
-    w.origin = s->points[w.first + f->most * s->nv + g->most];
-    w.unit = reciprocal(most_of(&w));
-    for (size_t k = 0; s->weights && k <= s->p; k++) {
-        for (size_t l = 0; l <= s->q; l++) {
-            weight = fmax(weight, s->weights[w.first + k * s->nv + l]);
-        }
+    size_t first = f->first * s->nv + g->first;
+    view w = {s, s->points[first + f->most * s->nv + g->most], first, 0, 0};
+    double most = 0.0, weight = 0.0;
+    for (size_t k = 0; k < (s->p + 1) * (s->q + 1); k++) {
+        size_t index = first + k / (s->q + 1) * s->nv + k % (s->q + 1);
+        most = fmax(most, greatest(s->points[index]));
+        weight = fmax(weight, s->weights ? s->weights[index] : 1.0);
     }
-    w.weight = reciprocal(weight);
+    frexp(most, &w.exponent);
+    frexp(weight, &w.weight);
+    w.origin = scaled(w.origin, -w.exponent);
     return w;
 }
 
 static surface_point seen(const view *w, size_t index)
 {
-    et_vec3 P = apart(w, index);
-    double weight = (w->s->weights ? w->s->weights[index] : 1.0) * w->weight;
-    return (surface_point){weight * (w->unit * P.x), weight * (w->unit * P.y), weight * (w->unit * P.z), weight};
+    et_vec3 P = scaled(w->s->points[index], -w->exponent), O = w->origin;
+    double weight = w->s->weights ? ldexp(w->s->weights[index], -w->weight) : 1.0;
+    return (surface_point){weight * (P.x - O.x), weight * (P.y - O.y), weight * (P.z - O.z), weight};
 }
 
 static surface_point magnitude(surface_point h)
@@ -150,10 +128,9 @@ static tangent tangent_of(const sums *A, const sums *D, int rational)
     }
     /* What underflows is below 2^-1074 a time, of numbers not above 1: with this it counts as a rounding. */
     t.size = (et_vec3){t.size.x + 0x1p-1000, t.size.y + 0x1p-1000, t.size.z + 0x1p-1000};
-    double unit = reciprocal(greatest(t.value));
-    t.value = (et_vec3){unit * t.value.x, unit * t.value.y, unit * t.value.z};
-    t.size = (et_vec3){unit * t.size.x, unit * t.size.y, unit * t.size.z};
-    return t;
+    int exponent;
+    frexp(greatest(t.value), &exponent);
+    return (tangent){scaled(t.value, -exponent), scaled(t.size, -exponent)};
 }
 
 static double length(et_vec3 c)
@@ -163,15 +140,14 @@ static double length(et_vec3 c)
 
 et_status et_surface_normal(et_vec3 *n, const et_surface *s, double u, double v, double *work, size_t nwork)
 {
-    size_t rows = 3 * (s->p + 1) + 3 * (s->q + 1);
-    functions f = functions_at(s->u, s->nu + s->p + 1, s->p, u, work, work + rows, nwork - rows);
-    functions g = functions_at(s->v, s->nv + s->q + 1, s->q, v, work + 3 * (s->p + 1), work + rows, nwork - rows);
+    functions f = functions_at(s->u, s->nu + s->p + 1, s->p, u, work, nwork);
+    functions g = functions_at(s->v, s->nv + s->q + 1, s->q, v, f.size + s->p + 1, nwork - 3 * (s->p + 1));
     view w = view_of(s, &f, &g);
     sums A[3];
     contract(A, &w, &f, &g);
     tangent a = tangent_of(&A[0], &A[1], s->weights != NULL), b = tangent_of(&A[0], &A[2], s->weights != NULL);
-    et_vec3 c = {a.value.y * b.value.z - a.value.z * b.value.y, a.value.z * b.value.x - a.value.x * b.value.z, a.value.x * b.value.y - a.value.y * b.value.x};
-    et_vec3 m = {a.size.y * b.size.z + a.size.z * b.size.y, a.size.z * b.size.x + a.size.x * b.size.z, a.size.x * b.size.y + a.size.y * b.size.x};
+    et_vec3 x = a.value, y = b.value, c = {x.y * y.z - x.z * y.y, x.z * y.x - x.x * y.z, x.x * y.y - x.y * y.x};
+    et_vec3 k = a.size, l = b.size, m = {k.y * l.z + k.z * l.y, k.z * l.x + k.x * l.z, k.x * l.y + k.y * l.x};
     /* A tangent has 14(p+q) + 6 roundings with weights, the difference of two products 28(p+q) + 14; the rest is for the sizes' own. */
     double size = length(c), bound = (28.0 * (double)(s->p + s->q) + 16.0) * ET_UNIT * length(m);
     if (!(size > bound)) {
