@@ -9,13 +9,19 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Bits and pieces: a second time with more of both if that may help. */
-enum { PASSES = 2 };
-static const slong BITS[PASSES] = {EXACT_BITS, 384};
-static const size_t PIECES[PASSES] = {1 << 13, 1 << 16};
+/* What is nearer than 2^-40 of the control net's size is not looked at closer. */
+enum { NEGLIGIBLE = 40 };
 
-/* A pieces' bound ends at (1 - 2^-41) of the least square found; what is nearer than 2^-40 of the control net's size is not looked at closer. */
-enum { CLOSE = 41, NEGLIGIBLE = 40 };
+/* A search: bits of its balls, pieces at most, and the part 2^-close of the least square found that no piece may be below by.  The second one is made where
+ * more bits may help; the last where the nearest points fill a curve across the parameters, which takes pieces without number to follow closely.  What was
+ * found is kept. */
+typedef struct {
+    slong bits;
+    size_t pieces;
+    slong close;
+} pass;
+enum { PASSES = 4 };
+static const pass passes[PASSES] = {{EXACT_BITS, 1 << 12, 41}, {384, 1 << 12, 41}, {EXACT_BITS, 1 << 14, 21}, {EXACT_BITS, 1 << 16, 11}};
 
 /* A curve is a surface of degree 0 in its second direction. */
 typedef struct {
@@ -37,7 +43,7 @@ typedef struct {
 typedef struct {
     const target *t;
     size_t m[2], size;                    /* coefficients in each direction, and of all */
-    slong bits;
+    slong bits, close;
     size_t pieces, most;
     arf_t least, bound, tolerance, missed; /* squares; missed: a bound of pieces that have no double inside */
     double best[2];
@@ -286,17 +292,23 @@ static void halve(piece *a, piece *c, const search *s, size_t d)
 
 /* ---- bounds ---- */
 
-/* The least square and what follows from it. */
-static void found(search *s, const arf_t square, double u, double v)
+/* What follows from the least square. */
+static void set_bound(search *s)
 {
     arf_t small;
     arf_init(small);
+    if (arf_is_finite(s->least))
+        arf_mul_2exp_si(small, s->least, -s->close);
+    arf_sub(s->bound, s->least, small, s->bits, ARF_RND_DOWN);
+    arf_clear(small);
+}
+
+static void found(search *s, const arf_t square, double u, double v)
+{
     arf_set(s->least, square);
     s->best[0] = u;
     s->best[1] = v;
-    arf_mul_2exp_si(small, square, -CLOSE);
-    arf_sub(s->bound, square, small, s->bits, ARF_RND_DOWN);
-    arf_clear(small);
+    set_bound(s);
 }
 
 static void try_corners(search *s, const piece *c)
@@ -396,6 +408,11 @@ static double least_coefficient(const search *s, const piece *c)
 static int finished(const search *s)
 {
     return arf_cmp(s->least, s->tolerance) <= 0 || s->pieces > s->most;
+}
+
+static int unfinished(const search *s)
+{
+    return s->pieces > s->most && arf_cmp(s->least, s->tolerance) > 0;
 }
 
 /* The piece, which is used up; the nearer half first. */
@@ -519,8 +536,7 @@ static void set_tolerance(arf_t tolerance, const target *t)
 static void run(search *s, const span *spans, size_t n)
 {
     piece c;
-    arf_pos_inf(s->least);
-    arf_pos_inf(s->bound);
+    set_bound(s);
     arf_pos_inf(s->missed);
     s->pieces = 0;
     s->missing = 0;
@@ -583,21 +599,26 @@ static double lower_of(const search *s)
 static et_status nearest(double x[2], double *distance, double *lower, target *t)
 {
     size_t n;
-    search s = {t, {2 * t->p[0] + 1, 2 * t->p[1] + 1}, 0, 0, 0, 0, {{0}}, {{0}}, {{0}}, {{0}}, {0, 0}, 0};
+    search s;
+    s.t = t;
+    s.m[0] = 2 * t->p[0] + 1;
+    s.m[1] = 2 * t->p[1] + 1;
     s.size = s.m[0] * s.m[1];
     arf_init(s.least);
     arf_init(s.bound);
     arf_init(s.tolerance);
     arf_init(s.missed);
+    arf_pos_inf(s.least);
     target_init(t);
     set_tolerance(s.tolerance, t);
     span *spans = spans_of(&n, t);
-    for (size_t pass = 0; pass == 0 || (pass < PASSES && (s.missing || s.pieces > s.most)); pass++) {
-        s.bits = BITS[pass];
-        s.most = PIECES[pass];
+    for (size_t k = 0; k == 0 || (k < PASSES && unfinished(&s)) || (k == 1 && s.missing); k++) {
+        s.bits = passes[k].bits;
+        s.most = passes[k].pieces;
+        s.close = passes[k].close;
         run(&s, spans, n);
     }
-    et_status status = s.pieces > s.most && arf_cmp(s.least, s.tolerance) > 0 ? ET_ENOCONV : ET_OK;
+    et_status status = unfinished(&s) ? ET_ENOCONV : ET_OK;
     if (status == ET_OK) {
         x[0] = s.best[0];
         x[1] = s.best[1];

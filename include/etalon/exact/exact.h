@@ -440,8 +440,10 @@ et_status et_exact_fit_scattered(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq 
  * point C(x) rounded up, *lower a proved lower bound: *lower <= the least distance <= *distance.  One of these holds:
  *     (1 - 2^-40) *distance <= *lower;
  *     *distance is at most 2^-40 times the size of the control net, the longest side of the box of its control points (then *lower is 0);
- *     what is nearer lies strictly between two neighbouring doubles as parameters (where the doubles of the domain lie far apart, or at a jump).
- * ET_EINVAL (curve not valid, point not finite), ET_ENOMEM, ET_ENOCONV: 2^16 pieces do not decide it.
+ *     what is nearer lies strictly between two neighbouring doubles as parameters (where the doubles of the domain lie far apart, or at a jump);
+ *     (1 - 2^-20) *distance <= *lower where 2^12 pieces do not decide more, or (1 - 2^-10) *distance <= *lower where 2^14 do not: where the nearest points
+ *     of a surface fill a curve across its parameters.
+ * ET_EINVAL (curve not valid, point not finite), ET_ENOMEM, ET_ENOCONV: 2^16 pieces do not decide that either.
  * Golden: none (which of many nearest parameters is found is free; the distance is proved by each call). */
 /*@ requires valid:   \valid(x) && \valid(distance) && \valid(lower) && \separated(x, distance, lower) && \valid_read(c);
     requires curve:   et_curve_readable((et_curve *)c);
