@@ -318,6 +318,7 @@ verdict prop_curve_insert_scales(gen *g)
         return FAIL;
     }
     double most = gen_upto(g, 1) ? 1e307 : 1e-300, x = gen_real(g, 0.0625, 0.9375), unit = gen_upto(g, 1) ? 0x1p1020 : 0x1p-1060;
+    size_t heavy = (size_t)gen_upto(g, p);
     for (size_t i = 0; i <= p; i++) {
         c.u[p + 1 + i] = 1.0;
         c.points[i] = (et_vec3){most, (double)i * most, -most};
@@ -329,11 +330,18 @@ verdict prop_curve_insert_scales(gen *g)
         ok = gen_check(g, fabs(t.points[i].x - most) <= roundings(13.0) * most && fabs(t.weights[i] - unit) <= roundings(5.0) * unit + 0x1p-1074,
                        "point %zu: %a of weight %a", i, t.points[i].x, t.weights[i]);
     }
-    et_curve_free(ok ? &t : &c);
-    t = untouched();
-    for (size_t i = 0; ok && i <= p; i++) {
-        c.weights[i] = 0x1p-1074;
+    if (ok) {
+        et_curve_free(&t);
+        c.weights[heavy] = unit > 1.0 ? 0x1p1023 : 0x1p-1040;      /* one that would overflow for itself */
+        ok = gen_check(g, et_curve_insert(&t, &c, x, 1) == ET_OK, "weight %zu the greatest", heavy);
     }
+    for (size_t i = 0; ok && i <= p + 1; i++) {
+        ok = gen_check(g, fabs(t.points[i].x - most) <= roundings(13.0) * most, "point %zu: %a", i, t.points[i].x);
+    }
+    if (ok) {
+        et_curve_free(&t);
+    }
+    t = untouched();
     if (ok && p == 1) {                       /* the combination of two least weights is one of them, or nothing */
         c.weights[1] = DBL_MAX;
         c.weights[0] = 1.0;
@@ -527,6 +535,82 @@ verdict prop_curve_remove_budget(gen *g)
     bool ok = gen_check(g, et_curve_remove(&t, &removed, &c, 0.5, 2, tolerance) == ET_OK && removed == want, "%g: %zu removed for %zu", tolerance, removed, want);
     ok = ok && gen_check(g, same_point(t.points[0], c.points[0]) && same_point(t.points[t.n - 1], c.points[3]), "other ends");
     ok = ok && gen_check(g, removed != 1 || same_point(t.points[1], c.points[2]), "one point of two is left");
+    et_curve_free(&c);
+    et_curve_free(&t);
+    return ok ? PASS : FAIL;
+}
+
+/* Degree 1: what it takes to remove the middle point is known by hand: |e_A| + (max |P| + T) |e_w| <= T min w.  At any scale. */
+verdict prop_curve_remove_threshold(gen *g)
+{
+    static const double u[] = {0.0, 0.0, 0.5, 1.0, 1.0};
+    int rational = (int)gen_upto(g, 1), e = (int)gen_upto(g, 600) - 300, f = (int)gen_upto(g, 1200) - 600;
+    et_curve c, t;
+    et_vec3 A = {0.0, 0.0, 0.0};
+    double w = 0.0, most = 0.0, least = HUGE_VAL;
+    if (et_curve_new(&c, 1, 3, rational) != ET_OK) {
+        return FAIL;
+    }
+    memcpy(c.u, u, sizeof u);
+    for (size_t i = 0; i < 3; i++) {
+        et_vec3 P = {(double)gen_upto(g, 16) - 8.0, (double)gen_upto(g, 16) - 8.0, (double)gen_upto(g, 16) - 8.0};
+        double weight = rational ? (double)gen_between(g, 8, 16) / 8.0 : 1.0, share = (i == 1 ? 1.0 : -0.5) * weight;
+        A = (et_vec3){A.x + share * P.x, A.y + share * P.y, A.z + share * P.z};
+        w += share;
+        most = fmax(most, sqrt(P.x * P.x + P.y * P.y + P.z * P.z));
+        least = fmin(least, weight);
+        c.points[i] = (et_vec3){ldexp(P.x, e), ldexp(P.y, e), ldexp(P.z, e)};
+        if (rational) {
+            c.weights[i] = ldexp(weight, f);
+        }
+    }
+    double need = ldexp((sqrt(A.x * A.x + A.y * A.y + A.z * A.z) + most * fabs(w)) / (least - fabs(w)), e);
+    size_t less = 77, more = 77;
+    if (least <= fabs(w)) {                   /* a weight might vanish: no tolerance is enough */
+        bool kept = gen_check(g, et_curve_remove(&t, &more, &c, 0.5, 1, ldexp(1.0, e + 60)) == ET_OK && more == 0, "removed");
+        et_curve_free(&c);
+        et_curve_free(&t);
+        return kept ? PASS : FAIL;
+    }
+    /* A few roundings of the need. */
+    bool ok = gen_check(g, et_curve_remove(&t, &less, &c, 0.5, 1, need * (1.0 - 0x1p-45)) == ET_OK && (less == 0 || need == 0.0), "removed below %g", need);
+    et_curve_free(&t);
+    t = (et_curve){0, 0, NULL, NULL, NULL};
+    ok = ok && gen_check(g, et_curve_remove(&t, &more, &c, 0.5, 2, need * (1.0 + 0x1p-45)) == ET_OK && more == 1, "not removed above %g", need);
+    ok = ok && gen_check(g, t.n == 2 && same_point(t.points[0], c.points[0]) && same_point(t.points[1], c.points[2]), "other ends");
+    et_curve_free(&c);
+    et_curve_free(&t);
+    return ok ? PASS : FAIL;
+}
+
+/* Spans from 2^-1000 to 2^900: no quotient that counts overflows, and what is constant stays so. */
+verdict prop_curve_elevate_scales(gen *g)
+{
+    size_t p = (size_t)gen_upto(g, 4), inner = (size_t)gen_upto(g, 5), n = p + 1 + inner;
+    int e = -1000, rational = (int)gen_upto(g, 1);
+    et_curve c, t;
+    if (et_curve_new(&c, p, n, rational) != ET_OK) {
+        return FAIL;
+    }
+    for (size_t i = 0; i < n; i++) {
+        if (i > p) {
+            c.u[i] = ldexp(1.0, e);
+            e += gen_upto(g, 2) ? (int)gen_upto(g, 300) : 0;
+        }
+        c.points[i] = (et_vec3){1e300, (double)i * 1e-300, -1.0};
+        if (rational) {
+            c.weights[i] = i + 1 == n ? 0x1p1000 : 0x1p980;
+        }
+    }
+    for (size_t i = n; i <= n + p; i++) {
+        c.u[i] = 0x1p900;
+    }
+    bool ok = gen_check(g, et_curve_elevate(&t, &c, 1) == ET_OK, "not elevated");
+    double off = roundings(2.0 * (7.0 * (double)p + 2.0) + 4.0);
+    for (size_t i = 0; ok && i < t.n; i++) {
+        et_vec3 P = t.points[i];
+        ok = gen_check(g, fabs(P.x - 1e300) <= off * 1e300 && fabs(P.z + 1.0) <= off && P.y >= 0.0 && P.y <= (double)n * 1e-300, "control point %zu: %a", i, P.x);
+    }
     et_curve_free(&c);
     et_curve_free(&t);
     return ok ? PASS : FAIL;

@@ -230,6 +230,32 @@ verdict prop_surface_insert_refused(gen *g)
     return ok ? PASS : FAIL;
 }
 
+/* The greatest weight, wherever it is, sets the scale of all: no product with a great coordinate overflows. */
+verdict prop_surface_insert_scales(gen *g)
+{
+    et_surface s, t;
+    et_direction along = gen_upto(g, 1) ? ET_ALONG_V : ET_ALONG_U;
+    if (et_surface_new(&s, 1, 2, 3, 4, 1) != ET_OK) {
+        return FAIL;
+    }
+    static const double u[] = {0.0, 0.0, 0.5, 1.0, 1.0}, v[] = {0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0};
+    memcpy(s.u, u, sizeof u);
+    memcpy(s.v, v, sizeof v);
+    for (size_t k = 0; k < 12; k++) {
+        s.points[k] = (et_vec3){1e307, 1.0, -1e307};
+        s.weights[k] = 1.0;
+    }
+    s.weights[gen_upto(g, 11)] = 0x1p1000;
+    bool ok = gen_check(g, et_surface_insert(&t, &s, along, 0.25, 1) == ET_OK && t.nu * t.nv == (along == ET_ALONG_U ? 16 : 15), "not inserted");
+    for (size_t k = 0; ok && k < t.nu * t.nv; k++) {
+        ok = gen_check(g, fabs(t.points[k].x - 1e307) <= roundings(13.0) * 1e307 && fabs(t.points[k].y - 1.0) <= roundings(13.0), "control point %zu: %a", k,
+                       t.points[k].x);
+    }
+    et_surface_free(&s);
+    et_surface_free(&t);
+    return ok ? PASS : FAIL;
+}
+
 /* ---- any sequence of edits ---- */
 
 static double greatest(const et_surface *s)

@@ -336,6 +336,50 @@ verdict prop_surface_normal(gen *g)
     return ok ? PASS : FAIL;
 }
 
+/* Control points near a line, so that the cross product is about the bound of its error.  Few roundings are made of what the bound counts: of 7(p+q) + 2 at
+ * most p + q + 2, so that c and bound are known to a quarter of the bound. */
+verdict prop_surface_normal_threshold(gen *g)
+{
+    size_t p = 1 + (size_t)gen_upto(g, 1), q = 1 + (size_t)gen_upto(g, 1), n = (p + 1) * (q + 1);
+    int rational = (int)gen_upto(g, 1);
+    double u = (double)gen_upto(g, 4) / 4.0, v = (double)gen_upto(g, 4) / 4.0, factor = (double)gen_between(g, 1, 80) / 8.0;
+    et_surface s;
+    if (et_surface_new(&s, p, q, p + 1, q + 1, rational) != ET_OK) {
+        return FAIL;
+    }
+    for (size_t i = 0; i <= p; i++) {
+        s.u[p + 1 + i] = 1.0;
+    }
+    for (size_t j = 0; j <= q; j++) {
+        s.v[q + 1 + j] = 1.0;
+    }
+    int x = (int)gen_upto(g, 2), y = (x + 1) % 3;
+    for (size_t k = 0; k < n; k++) {
+        double t = (double)gen_upto(g, 4) - 2.0;
+        (&s.points[k].x)[x] = t;
+        (&s.points[k].x)[y] = t;
+        if (rational) {
+            s.weights[k] = ldexp(1.0, (int)gen_upto(g, 2));
+        }
+    }
+    /* One of them beside the line, by a part of what its neighbours are apart. */
+    size_t at = (size_t)gen_upto(g, n - 1);
+    (&s.points[at].x)[y] += factor * 28.0 * (double)(p + q) * ET_UNIT * (1.0 + (double)gen_upto(g, 3));
+    et_vec3 normal = {7.0, 8.0, 9.0}, o = origin(&s, u, v);
+    double *work = surface_room(&s);
+    et_status status = et_surface_normal(&normal, &s, u, v, work, et_surface_work(&s));
+    fine A = tensor(&s, u, v, o, false, false), Du = tensor(&s, u, v, o, true, false), Dv = tensor(&s, u, v, o, false, true);
+    fine c = cross(direction(A, Du, rational), direction(A, Dv, rational));
+    double m = sqrt(c.size[0] * c.size[0] + c.size[1] * c.size[1] + c.size[2] * c.size[2]), bound = (28.0 * (double)(p + q) + 16.0) * ET_UNIT * m;
+    double length = norm(c).hi;
+    gen_label(g, length < 0.75 * bound ? "below" : length > 1.25 * bound ? "above" : "about");
+    bool ok = gen_check(g, !(length < 0.75 * bound) || status == ET_ERANK, "a normal, though %g is below %g", length, bound);
+    ok = ok && gen_check(g, !(length > 1.25 * bound) || status == ET_OK, "no normal, though %g is above %g", length, bound);
+    free(work);
+    et_surface_free(&s);
+    return ok ? PASS : FAIL;
+}
+
 /* Over the plane at any scale: (0, 0, 1) exactly; run backwards (0, 0, -1); where edge or net shrink to a point or a line, none. */
 verdict prop_surface_normal_known(gen *g)
 {
