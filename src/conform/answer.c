@@ -16,7 +16,7 @@ et_hello et_answer_hello(int exact)
     snprintf(hello.name, sizeof hello.name, "%s", exact ? "etalon-exact" : "etalon");
     snprintf(hello.version, sizeof hello.version, "0.1.0");
     hello.degree = JUDGE_DEGREE;
-    hello.order = JUDGE_DEGREE;
+    hello.order = 8;
     hello.rational = hello.any = hello.left = hello.right = 1;
     for (int op = 0; op < ET_OPS; op++)
         hello.op[op] = exact || (op != ET_OP_CURVE_NEAREST && op != ET_OP_SURFACE_NEAREST);

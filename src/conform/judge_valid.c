@@ -190,10 +190,10 @@ static void degree_zero(judge_case *c, size_t p, size_t q, int known)
 }
 
 /* Orders, and the numbers of an answer: n for each of `rows`. */
-static void order(judge_case *c, size_t d)
+static void order(judge_case *c, size_t d, size_t most)
 {
-    if (d > JUDGE_DEGREE)
-        unknown(c, "derivatives of an order above 64");
+    if (d > most)
+        unknown(c, "derivatives of too high an order");
 }
 
 static void size(judge_case *c, size_t rows, size_t n)
@@ -229,7 +229,7 @@ static void knots_only(judge_case *c, const et_request *request)
     parameter(c, &a[1], a[0].count, a[2].x[0]);
     if (request->op == ET_OP_BASIS_DERS) {
         degree_zero(c, a[0].count, 1, 1);
-        order(c, a[4].count);
+        order(c, a[4].count, JUDGE_DEGREE);
     }
     size(c, request->op == ET_OP_BASIS_DERS && a[4].count <= JUDGE_DEGREE ? a[4].count + 1 : 1, a[1].count);
 }
@@ -250,7 +250,7 @@ static void at_parameters(judge_case *c, const et_request *request)
     }
     if (ders) {
         degree_zero(c, a[0].count, of_curve ? 1 : a[1].count, 1);
-        order(c, of_curve ? a[6].count : a[10].count);
+        order(c, of_curve ? a[6].count : a[10].count, of_curve ? JUDGE_DEGREE : JUDGE_ORDER);
     }
     if (request->op == ET_OP_SURFACE_NORMAL)
         degree_zero(c, a[0].count, a[1].count, 0);

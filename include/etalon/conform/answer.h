@@ -7,12 +7,12 @@
 extern "C" {
 #endif
 
-/* What Etalon offers: exact != 0 all operations, else those that the fast functions have (the nearest points are missing).  Degrees and orders of
- * derivatives to 64, weights, limits from either side, knots told apart to the bit.
+/* What Etalon offers: exact != 0 all operations, else those that the fast functions have (the nearest points are missing).  Degrees to 64, derivatives
+ * to the eighth, weights, limits from either side, knots told apart to the bit.
  * Golden: none (a list of what there is). */
 /*@ assigns \nothing;
     ensures sides:    \result.any == 1 && \result.left == 1 && \result.right == 1 && \result.rational == 1 && \result.knot_tolerance == 0.0;
-    ensures limits:   \result.degree == 64 && \result.order == 64;
+    ensures limits:   \result.degree == 64 && \result.order == 8;
     ensures all:      exact != 0 ==> \forall integer op; 0 <= op < ET_OPS ==> \result.op[op] == 1;
 */
 et_hello et_answer_hello(int exact);
