@@ -86,7 +86,11 @@ static int fewer_knots(campaign_maker *m, const campaign_axis *a)
 static int other_number(campaign_maker *m, int k)
 {
     /* Any number of points can be parameterised. */
-    return k >= 0 && m->op != ET_OP_PARAMETERS && resize(m, k, value(m, k)->count + (campaign_pick(m, 2) || value(m, k)->count == 1 ? 1 : (size_t)-1), 3);
+    if (k < 0 || m->op == ET_OP_PARAMETERS) {
+        return 0;
+    }
+    const size_t n = value(m, k)->count, more = campaign_pick(m, 2);
+    return resize(m, k, more || n == 1 ? n + 1 : n - 1, 3);
 }
 
 static int bad_weight(campaign_maker *m, int net)

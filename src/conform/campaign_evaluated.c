@@ -5,10 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const et_category usual[] = {ET_CATEGORY_PLAIN, ET_CATEGORY_PLAIN, ET_CATEGORY_REPEATED_KNOTS, ET_CATEGORY_END_OF_DOMAIN, ET_CATEGORY_NEAR_KNOTS,
-                                    ET_CATEGORY_WEIGHTS, ET_CATEGORY_DEGREES, ET_CATEGORY_SEAM};
+static const et_category usual[] = {ET_CATEGORY_PLAIN, ET_CATEGORY_PLAIN, ET_CATEGORY_REPEATED_KNOTS, ET_CATEGORY_END_OF_DOMAIN,
+                                    ET_CATEGORY_NEAR_KNOTS, ET_CATEGORY_WEIGHTS, ET_CATEGORY_DEGREES, ET_CATEGORY_SEAM};
 /* Those of bases. */
-static const et_category bases[] = {ET_CATEGORY_PLAIN, ET_CATEGORY_REPEATED_KNOTS, ET_CATEGORY_END_OF_DOMAIN, ET_CATEGORY_NEAR_KNOTS, ET_CATEGORY_DEGREES};
+static const et_category bases[] = {ET_CATEGORY_PLAIN, ET_CATEGORY_REPEATED_KNOTS, ET_CATEGORY_END_OF_DOMAIN, ET_CATEGORY_NEAR_KNOTS,
+                                    ET_CATEGORY_DEGREES};
 enum { USUAL = sizeof usual / sizeof usual[0], BASES = sizeof bases / sizeof bases[0] };
 
 /* The first numbers of the reply with derivatives against the reply without. */

@@ -95,7 +95,10 @@ static size_t sites(campaign_maker *m, double **t, const campaign_basis *b, int 
     if (!faulty) {
         return n;
     }
-    return m->category == ET_CATEGORY_FIT_FAILURE ? failing_sites(m, *t, n, b) : m->category == ET_CATEGORY_END_OF_DOMAIN ? end_sites(m, *t, n, b) : n;
+    if (m->category == ET_CATEGORY_FIT_FAILURE) {
+        return failing_sites(m, *t, n, b);
+    }
+    return m->category == ET_CATEGORY_END_OF_DOMAIN ? end_sites(m, *t, n, b) : n;
 }
 
 /* Pairs of sites, a little beside a grid's, in any order. */

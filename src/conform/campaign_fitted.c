@@ -102,7 +102,8 @@ void campaign_relate_fitted(campaign_relation *r, et_request_op op, int how)
         if (campaign_asked(r, &after, &q, n)) {
             for (size_t i = 0; i < n; i++) {
                 const size_t k = how == CAMPAIGN_REVERSE ? 3 * (n / 3 - 1 - i / 3) + i % 3 : i;
-                campaign_compare(r, i, after.x[i], ldexp(before.x[k] + shift[i % 3], power), ldexp(a[k], power) + b[i] + 2.0 * ET_UNIT * fabs(after.x[i]));
+                const double want = ldexp(before.x[k] + shift[i % 3], power);
+                campaign_compare(r, i, after.x[i], want, ldexp(a[k], power) + b[i] + 2.0 * ET_UNIT * fabs(after.x[i]));
             }
             et_reply_free(&after);
         }
@@ -254,7 +255,8 @@ static int surface_of(campaign_relation *r, et_surface *s, const et_request *q)
     }
     const et_status status = et_reply_get_surface(s, &at, &reply);
     et_reply_free(&reply);
-    if (status == ET_EFORMAT || (status == ET_OK && (!et_surface_valid(s) || s->u[s->p] != 0.0 || s->u[s->nu] != 1.0 || s->v[s->q] != 0.0 || s->v[s->nv] != 1.0))) {
+    const int unit = status == ET_OK && et_surface_valid(s) && s->u[s->p] == 0.0 && s->u[s->nu] == 1.0 && s->v[s->q] == 0.0 && s->v[s->nv] == 1.0;
+    if (status == ET_EFORMAT || (status == ET_OK && !unit)) {
         if (status == ET_OK) {
             et_surface_free(s);
         }
@@ -278,9 +280,9 @@ static et_vec3 point(campaign_relation *r, const et_surface *s, double u, double
     return S;
 }
 
-/* The fitter's own parameters and knots do not depend on place and size, so its surfaces move with the data: within 2^-20 of their size, which leaves room
- * for any stable method.  Knots chosen from one end do depend on the order; but a surface that follows its data is never further from its mirror image than
- * a few of the data's distances. */
+/* The fitter's own parameters and knots do not depend on place and size, so its surfaces move with the data: within 2^-20 of their size, which
+ * leaves room for any stable method.  Knots chosen from one end do depend on the order; but a surface that follows its data is never further from its
+ * mirror image than a few of the data's distances. */
 void campaign_relate_approximate(campaign_relation *r, int how)
 {
     et_request q;
@@ -299,7 +301,8 @@ void campaign_relate_approximate(campaign_relation *r, int how)
     } else {
         move_data(r, &q.arg[6], how, shift, &power);
     }
-    const double tolerance = how == CAMPAIGN_REVERSE ? 4.0 * coarse(r->told) : ldexp(0x1p-20 * (campaign_size(r->told, 6) + fabs(shift[0]) + fabs(shift[1]) + fabs(shift[2])), power);
+    const double size = campaign_size(r->told, 6) + fabs(shift[0]) + fabs(shift[1]) + fabs(shift[2]);
+    const double tolerance = how == CAMPAIGN_REVERSE ? 4.0 * coarse(r->told) : ldexp(0x1p-20 * size, power);
     if (surface_of(r, &a, r->told)) {
         if (surface_of(r, &b, &q)) {
             for (size_t k = 0; k < 25; k++) {

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-/* The kinds of extreme scales.  Results stay within doubles: a k-th derivative is multiplied by 2^(e_points - k e_knots), which the order of derivatives
- * heeds (campaign_draw_spline). */
+/* The kinds of extreme scales.  Results stay within doubles: a k-th derivative is multiplied by 2^(e_points - k e_knots), which the order of
+ * derivatives heeds (campaign_draw_spline). */
 void campaign_scales(campaign_maker *m)
 {
     const int derived = m->layout->order >= 0 || m->op == ET_OP_SURFACE_NORMAL || m->layout->data >= 0 || m->rational || m->layout->times >= 0 ||
@@ -175,7 +175,8 @@ campaign_basis campaign_knots(campaign_maker *m, size_t axis, size_t p, size_t s
     campaign_basis b = {p, 0, 0, campaign_array(m, (spans + 1) * (p + 2))};
     const size_t kind = campaign_kind(m, 8);
     /* Rarely more than p + 1: implementation-defined. */
-    const size_t more = m->category == ET_CATEGORY_REPEATED_KNOTS && kind == 7 && !m->smooth && !m->exact && axis == 0 && !m->unit ? 1 + campaign_pick(m, 2) : 0;
+    const int too_often = m->category == ET_CATEGORY_REPEATED_KNOTS && kind == 7 && !m->smooth && !m->exact && axis == 0;
+    const size_t more = too_often ? 1 + campaign_pick(m, 2) : 0;
     breaks(m, t, spans);
     fill(&b, t[0], p + 1 + (more == 1));
     for (size_t i = 1; i < spans; i++) {

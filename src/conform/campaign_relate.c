@@ -252,7 +252,8 @@ static void conclude(campaign_relation *r)
                  : r->worst <= 0x1p20  ? ET_VERDICT_INACCURATE
                                        : ET_VERDICT_WRONG;
     if (et_judge_bad(j->verdict)) {
-        snprintf(j->text, sizeof j->text, "%s: number %zu is %.17g against %.17g, %.3g times what errors allow", r->name, j->at, j->got, j->want, j->ratio);
+        snprintf(j->text, sizeof j->text, "%s: number %zu is %.17g against %.17g, %.3g times what errors allow", r->name, j->at, j->got, j->want,
+            j->ratio);
     }
 }
 

@@ -21,7 +21,7 @@ uint64_t campaign_cost_of(double x)
         r = 2.0 * r;
         r -= floor(r);
     }
-    return 1 + 2 * (bits - 1) + (uint64_t)(e < 0 ? -2 * e : e) + (x < 0.0);
+    return 1 + 2 * (bits - 1) + (uint64_t)(e < 0 ? -4 * e : e) + (x < 0.0);
 }
 
 uint64_t campaign_cost(const et_request *q)
@@ -152,7 +152,8 @@ static int degrees(campaign_shrinker *s)
         size_t most = 0;
         for (size_t k = 0; k < l->axes; k++) {
             const int degree = l->axis[k].degree;
-            most = degree >= 0 && l->axis[k].knots >= 0 && (from == 0 || from == k + 1) && s->best.arg[degree].count > most ? s->best.arg[degree].count : most;
+            most = degree >= 0 && l->axis[k].knots >= 0 && (from == 0 || from == k + 1) && s->best.arg[degree].count > most
+                ? s->best.arg[degree].count : most;
         }
         for (size_t p = 0; p < most && p < 64; p++) {
             for (int front = 0; front < 2; front++) {

@@ -120,7 +120,8 @@ static void insert(campaign_maker *m, spline *s, size_t along, double x)
     for (size_t i = 0; i <= b.n; i++) {
         const double a = i + b.p <= k ? 1.0 : i + times > k ? 0.0 : (x - b.u[i]) / (b.u[i + b.p] - b.u[i]);
         for (size_t line = 0; line < lines; line++) {
-            const size_t to = place(&t, along, i, line), from = place(s, along, i < b.n ? i : i - 1, line), left = place(s, along, i > 0 ? i - 1 : 0, line);
+            const size_t to = place(&t, along, i, line), from = place(s, along, i < b.n ? i : i - 1, line);
+            const size_t left = place(s, along, i > 0 ? i - 1 : 0, line);
             t.w[to] = a * s->w[from] + (1.0 - a) * s->w[left];
             for (size_t c = 0; c < 3; c++) {
                 t.H[3 * to + c] = a * s->H[3 * from + c] + (1.0 - a) * s->H[3 * left + c];
@@ -332,7 +333,8 @@ void campaign_draw_error(campaign_maker *m)
         double *t = campaign_array(m, n[k]);
         for (size_t i = 0; i < n[k]; i++) {
             /* Sites outside the domain are another question. */
-            t[i] = m->category == ET_CATEGORY_PLAIN ? campaign_inside(m, &b[k]) : campaign_clamp(b[k].u[b[k].p], campaign_place(m, &b[k], k), b[k].u[b[k].n]);
+            const double x = m->category == ET_CATEGORY_PLAIN ? campaign_inside(m, &b[k]) : campaign_place(m, &b[k], k);
+            t[i] = campaign_clamp(b[k].u[b[k].p], x, b[k].u[b[k].n]);
         }
         campaign_list(m, l->axis[k].sites, t, n[k]);
     }

@@ -9,7 +9,8 @@ static size_t pick(varier *v, size_t n)
     return et_rng_index(v->rng, n);
 }
 
-/* Drawn in statements of their own: the order of two draws in one expression is the compiler's.  By ulps, by a part, by a power of two, to the other sign, or to a short number. */
+/* Drawn in statements of their own: the order of two draws in one expression is the compiler's.  By ulps, by a part, by a power of two, to the
+ * other sign, or to a short number. */
 static double moved(varier *v, double x)
 {
     const double sign = pick(v, 2) ? 1.0 : -1.0, part = et_rng_uniform(v->rng);

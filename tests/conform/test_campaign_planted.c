@@ -158,29 +158,35 @@ static void swap_rows(et_reply *r, size_t a, size_t b)
 
 typedef enum {
     SECOND_DERIVATIVE, THIRD_DERIVATIVE, DERIVATIVE_WEIGHTS, SURFACE_WEIGHTS, RIGHT_END, SPAN_END, SIDE_IGNORED, SURFACE_SIDE, UV_SWAPPED, MIXED_SIGN,
-    NORMAL_SIGN, BASIS_HIGH, GREVILLE_ONE, NEAR_EQUAL, SNAPPED, MINUS_ZERO, INSERT_REPEATED, INSERT_ONCE, ALONG_IGNORED, ELEVATE_ONCE, ELEVATE_WEIGHTS,
+    NORMAL_SIGN, BASIS_HIGH, GREVILLE_ONE, NEAR_EQUAL, SNAPPED, MINUS_ZERO, INSERT_REPEATED, INSERT_ONCE, ALONG_IGNORED, ELEVATE_ONCE,
+    ELEVATE_WEIGHTS,
     REMOVE_ONCE, REMOVE_NONE, CENTRIPETAL, EXPONENTIAL, NO_LENGTH, KNOT_RULE, FIT_LAST, GRID_LAST, GRID_CORNERS, SCATTERED_LAST, RANK, ERROR_LAST,
-    CLASS_TOP, NODE_TOP, SEAM_WEIGHTS, SEAM_ZERO, COUNTS_32, MANY_POINTS, HIGH_DEGREE, SINGLE, OUTSIDE, NAN_KNOT, NEGATIVE_WEIGHT, BIG, APPROXIMATE_SHORT,
+    CLASS_TOP, NODE_TOP, SEAM_WEIGHTS, SEAM_ZERO, COUNTS_32, MANY_POINTS, HIGH_DEGREE, SINGLE, OUTSIDE, NAN_KNOT, NEGATIVE_WEIGHT, BIG,
+    APPROXIMATE_SHORT,
     FAULTS
 } fault;
 
 static const et_request_op where[FAULTS] = {
     ET_OP_CURVE_DERS, ET_OP_CURVE_DERS, ET_OP_CURVE_DERS, ET_OP_SURFACE_DERS, ET_OP_CURVE_POINT, ET_OP_SPAN, ET_OP_CURVE_DERS, ET_OP_SURFACE_DERS,
-    ET_OP_SURFACE_DERS, ET_OP_SURFACE_DERS, ET_OP_SURFACE_NORMAL, ET_OP_BASIS, ET_OP_GREVILLE, ET_OP_CURVE_POINT, ET_OP_CURVE_POINT, ET_OP_MULTIPLICITY,
+    ET_OP_SURFACE_DERS, ET_OP_SURFACE_DERS, ET_OP_SURFACE_NORMAL, ET_OP_BASIS, ET_OP_GREVILLE, ET_OP_CURVE_POINT, ET_OP_CURVE_POINT,
+    ET_OP_MULTIPLICITY,
     ET_OP_CURVE_INSERT, ET_OP_CURVE_INSERT, ET_OP_SURFACE_INSERT, ET_OP_CURVE_ELEVATE, ET_OP_CURVE_ELEVATE, ET_OP_CURVE_REMOVE, ET_OP_SURFACE_REMOVE,
     ET_OP_PARAMETERS, ET_OP_PARAMETERS_GRID, ET_OP_PARAMETERS, ET_OP_KNOTS, ET_OP_FIT_CURVE, ET_OP_FIT_GRID, ET_OP_FIT_GRID, ET_OP_FIT_SCATTERED,
     ET_OP_FIT_SCATTERED, ET_OP_SURFACE_ERROR, ET_OP_NET_CLASS, ET_OP_NET_NODE, ET_OP_SEAM_GAP, ET_OP_SEAM_GAP, ET_OP_NET_COUNTS, ET_OP_CURVE_POINT,
     ET_OP_CURVE_POINT, ET_OP_CURVE_POINT, ET_OP_CURVE_INSERT, ET_OP_CURVE_POINT, ET_OP_CURVE_DERS, ET_OP_CURVE_POINT, ET_OP_APPROXIMATE};
 
 static const char *const told[FAULTS] = {
-    "second derivative p/(p+1) of what it is", "third derivative's sign", "weights forgotten in derivatives", "weights forgotten in surface derivatives",
+    "second derivative p/(p+1) of what it is", "third derivative's sign", "weights forgotten in derivatives",
+    "weights forgotten in surface derivatives",
     "the right end gives 0", "span at the right end one too many", "the side is ignored", "a surface's sides are ignored", "S_u and S_v swapped",
     "S_uv has the wrong sign", "the normal points inward where p > q", "basis from degree 5 on slightly off", "Greville points of degree 1 shifted",
     "knots 1e-9 apart are equal", "parameters near the end snap to it", "-0 is not 0", "insertion at a knot that is there already moves a point",
     "only one knot is inserted", "surfaces are refined along u only", "degree elevated by one only", "weights forgotten when elevating",
-    "never more than one knot removed", "no knot removed from surfaces", "centripetal is chord", "exponential is chord", "points of no length give NaN",
+    "never more than one knot removed", "no knot removed from surfaces", "centripetal is chord", "exponential is chord",
+    "points of no length give NaN",
     "a knot rule is off by one parameter", "the last datum is moved", "a grid's last datum is moved", "corners are never interpolated",
-    "the last scattered datum is moved", "rank deficient fits are answered", "the error's last datum is moved", "classes of the top view one too great",
+    "the last scattered datum is moved", "rank deficient fits are answered", "the error's last datum is moved",
+    "classes of the top view one too great",
     "nodes of the top view swapped", "the gap forgets weights", "the gap of shells is always 0", "counts in 32 bits", "more than 256 control points",
     "degrees above 9", "weights in single precision", "insertion outside is answered", "NaN among knots is answered", "negative weights are answered",
     "coordinates beyond 1e300 overflow", "the approximation has a control point too few"};
@@ -232,7 +238,11 @@ static void spoil_others(fault f, et_reply *r, const et_request *q)
         scale_row(r, 0, r->count, equal ? (double)NAN : 1.0);
         break;
     }
-    case KNOT_RULE: r->x[q->arg[1].count + 1] = q->arg[0].count == 0 && q->arg[2].count > q->arg[1].count + 2 ? r->x[q->arg[1].count + 2] : r->x[q->arg[1].count + 1]; break;
+    case KNOT_RULE:
+        if (q->arg[0].count == 0 && q->arg[2].count > q->arg[1].count + 2) {
+            r->x[q->arg[1].count + 1] = r->x[q->arg[1].count + 2];
+        }
+        break;
     case CLASS_TOP: r->x[0] += r->x[0] > (double)(q->arg[0].count * q->arg[1].count); break;
     case NODE_TOP: r->x[0] = r->x[0] == 1.0 && r->x[1] != r->x[2] ? 0.0 : r->x[0]; break;
     case SEAM_ZERO: r->x[0] = 0.0; break;

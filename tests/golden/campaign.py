@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Golden rows of conform/campaign: names, the table of categories, and the draws whose rule is short enough to be written down twice: those of the double net.
+"""Golden rows of conform/campaign: names, the table of categories, and the draws whose rule is short enough to be written down twice: those of the
+double net.
 
-The generator is written here from its definition: splitmix64 for the streams, MT19937 as initialised in 2002, Lemire's index.  A campaign's case comes from
-the stream stream(stream(stream(stream(seed, operation), category), number), attempt); its first draw is whether there are weights."""
+The generator is written here from its definition: splitmix64 for the streams, MT19937 as initialised in 2002, Lemire's index.  A campaign's case
+comes from the stream stream(stream(stream(stream(seed, operation), category), number), attempt); its first draw is whether there are weights."""
 
-OPERATIONS = ("span multiplicity greville basis basis_ders curve_point curve_ders surface_point surface_ders surface_normal curve_insert curve_remove "
-              "curve_elevate surface_insert surface_remove surface_elevate parameters parameters_grid knots fit_curve fit_grid fit_scattered approximate "
-              "curve_nearest surface_nearest surface_error net_counts net_class net_node seam_gap").split()
+OPERATIONS = ("span multiplicity greville basis basis_ders curve_point curve_ders surface_point surface_ders surface_normal curve_insert "
+              "curve_remove curve_elevate surface_insert surface_remove surface_elevate parameters parameters_grid knots fit_curve fit_grid "
+              "fit_scattered approximate curve_nearest surface_nearest surface_error net_counts net_class net_node seam_gap").split()
 CATEGORIES = ("plain end_of_domain near_knots repeated_knots editing degenerate fit_failure seam inversion size extreme_scale weights degrees "
               "bad_input").split()
 RELATIONS = 42
@@ -31,7 +32,8 @@ HAS = {
     "inversion": NEAREST,
     "extreme_scale": [o for o in OPERATIONS if not o.startswith("net")],
     "weights": EVALUATION + EDITING + NEAREST + ["surface_error", "seam_gap"],
-    "degrees": ["span", "greville", "basis", "basis_ders"] + EVALUATION + EDITING + ["knots"] + FITS + ["approximate"] + NEAREST + ["surface_error", "seam_gap"],
+    "degrees": ["span", "greville", "basis", "basis_ders", "knots", "approximate", "surface_error", "seam_gap"]
+               + EVALUATION + EDITING + FITS + NEAREST,
 }
 
 M64 = 2 ** 64 - 1
@@ -112,7 +114,8 @@ def main():
         for category in ("plain", "end_of_domain", "seam"):
             if op not in HAS[category]:
                 continue
-            for seed, number in [(s, n) for s in (0, 1, 7) for n in range(9)] + [(2 ** 64 - 1, 3), (2 ** 32, 2 ** 64 - 1), (12345678901234567890, 10 ** 6)]:
+            far = [(2 ** 64 - 1, 3), (2 ** 32, 2 ** 64 - 1), (12345678901234567890, 10 ** 6)]
+            for seed, number in [(s, n) for s in (0, 1, 7) for n in range(9)] + far:
                 print(f"campaign_draw\tbits\treplay\t{op} {category} {seed} {number}\t" + " ".join(map(str, net(op, category, seed, number))))
 
 

@@ -8,8 +8,8 @@ extern "C" {
 
 typedef enum {
     ET_CATEGORY_PLAIN = 0, ET_CATEGORY_END_OF_DOMAIN, ET_CATEGORY_NEAR_KNOTS, ET_CATEGORY_REPEATED_KNOTS, ET_CATEGORY_EDITING, ET_CATEGORY_DEGENERATE,
-    ET_CATEGORY_FIT_FAILURE, ET_CATEGORY_SEAM, ET_CATEGORY_INVERSION, ET_CATEGORY_SIZE, ET_CATEGORY_EXTREME_SCALE, ET_CATEGORY_WEIGHTS, ET_CATEGORY_DEGREES,
-    ET_CATEGORY_BAD_INPUT,
+    ET_CATEGORY_FIT_FAILURE, ET_CATEGORY_SEAM, ET_CATEGORY_INVERSION, ET_CATEGORY_SIZE, ET_CATEGORY_EXTREME_SCALE, ET_CATEGORY_WEIGHTS,
+    ET_CATEGORY_DEGREES, ET_CATEGORY_BAD_INPUT,
     ET_CATEGORIES
 } et_category;
 
@@ -24,19 +24,22 @@ typedef enum {
 */
 const char *et_campaign_name(et_category category);
 
-/* 1 if cases of this category are made for the operation; 0 too for what is no operation or category.  Every operation has plain, size and bad_input. */
+/* 1 if cases of this category are made for the operation; 0 too for what is no operation or category.  Every operation has plain, size and
+ * bad_input. */
 /*@ assigns \nothing;
     ensures flag:    \result == 0 || \result == 1;
-    ensures always:  0 <= op < ET_OPS && (category == ET_CATEGORY_PLAIN || category == ET_CATEGORY_SIZE || category == ET_CATEGORY_BAD_INPUT) ==> \result == 1;
+    ensures always:  0 <= op < ET_OPS && (category == ET_CATEGORY_PLAIN || category == ET_CATEGORY_SIZE || category == ET_CATEGORY_BAD_INPUT)
+                         ==> \result == 1;
     ensures outside: op >= ET_OPS || category >= ET_CATEGORIES ==> \result == 0;
 */
 int et_campaign_has(et_request_op op, et_category category);
 
 /* Case number `number` of operation and category of the campaign `seed`: always the same, on every compiler and processor, whatever was drawn before
- * (streams of et_rng_stream; additions, products and quotients only; nets of the category size where size_t has 64 bits).  The kinds of a category take turns with the number, so that a few cases
- * show many of them.  A plain case is valid, one of bad_input breaks one rule; the others may be of any validity (docs/campaign.md says where).  The
- * request keeps to what hello offers: operations, degree (that of an elevated curve, too), order, weights, sides; no two different knots, nor a parameter
- * and a knot, within the knot tolerance.  Where the tolerance leaves nothing of a category, a plain case comes instead.  A line has less than 200 kB.
+ * (streams of et_rng_stream; additions, products and quotients only; nets of the category size where size_t has 64 bits).  The kinds of a category
+ * take turns with the number, so that a few cases show many of them.  A plain case is valid, one of bad_input breaks one rule; the others may be of
+ * any validity (docs/campaign.md says where).  The request keeps to what hello offers: operations, degree (that of an elevated curve, too), order,
+ * weights, sides; no two different knots, nor a parameter and a knot, within the knot tolerance.  Where the tolerance leaves nothing of a category, a
+ * plain case comes instead.  A line has less than 200 kB.
  * ET_EINVAL (no such cases; hello leaves nothing), ET_ENOMEM.  Freed by et_request_free. */
 /*@ requires request: \valid(request);
     requires hello:   et_campaign_offers((et_hello *)hello) && \separated(request, hello);
@@ -52,10 +55,11 @@ et_status et_campaign_draw(et_request *request, et_request_op op, et_category ca
 /* 1: the request still shows the fault; 0: it does not. */
 typedef int et_campaign_fails(void *context, const et_request *request);
 
-/* The request made as small and simple as it can be while `fails` says 1: fewer numbers first (knots with their control points, data with their sites, no
- * weights), then lower degrees and counts, then numbers that are 0, 1, small and whole or have few bits.  Each step is cheaper than the one before in
- * this order, so that the result is never larger, depends on nothing but the arguments, and shrinking it again changes nothing, as long as calls are
- * left.  At most `calls` calls of `fails`; the request must fail at the start, which is not asked.  ET_ENOMEM (the request is then as it was).
+/* The request made as small and simple as it can be while `fails` says 1: fewer numbers first (knots with their control points, data with their
+ * sites, no weights), then lower degrees and counts, then numbers that are 0, 1, small and whole or have few bits.  Each step is cheaper than the one
+ * before in this order, so that the result is never larger, depends on nothing but the arguments, and shrinking it again changes nothing, as long as
+ * calls are left.  At most `calls` calls of `fails`; the request must fail at the start, which is not asked.  ET_ENOMEM (the request is then as it
+ * was).
  * Golden: none (what is left depends on the caller's predicate). */
 /*@ requires request: \valid(request) && et_campaign_stored(request) && 0 <= request->op < ET_OPS;
     requires fails:   fails != \null;
@@ -82,11 +86,12 @@ size_t et_campaign_relations(void);
 */
 const char *et_campaign_relation_name(size_t relation);
 
-/* Relation number `relation` (of et_campaign_relations), case `number` of the seed: asks some related requests and compares.  *judgement says how it went:
- * correctly rounded where all that is compared is equal, else within bound, inaccurate or wrong with the factors of docs/conformance.md; wrongly refused
- * and non-finite as for single answers; ET_VERDICT_UNSUPPORTED where an answer is missing or hello offers too little.  Numbers that the exact layer can bound
- * may differ by the bounds of both (et_judge_truth), those of edited curves by what their rounded control points cause besides; docs/campaign.md has
- * each.  *request is the one that is told in a report (et_request_free).  ET_EINVAL (no such relation), ET_ENOMEM, and whatever ask returns.
+/* Relation number `relation` (of et_campaign_relations), case `number` of the seed: asks some related requests and compares.  *judgement says how it
+ * went: correctly rounded where all that is compared is equal, else within bound, inaccurate or wrong, the factors as in docs/conformance.md; wrongly
+ * refused and non-finite as for single answers; ET_VERDICT_UNSUPPORTED where an answer is missing or hello offers too little.  Numbers that the exact
+ * layer can bound may differ by the bounds of both (et_judge_truth), those of edited curves by what their rounded control points cause as well;
+ * docs/campaign.md has each.  *request is the one that is told in a report (et_request_free).  ET_EINVAL (no such relation), ET_ENOMEM, and whatever
+ * ask returns.
  * Golden: none (a verdict on somebody else's answers). */
 /*@ requires judgement: \valid(judgement) && \valid(request) && \separated(judgement, request, hello);
     requires hello:     et_campaign_offers((et_hello *)hello);
