@@ -145,7 +145,8 @@ static et_status request_of(const place *p, et_request *request, const json_t *t
 /* Nothing else is there: a misspelt member is told. */
 static et_status only_known(const place *p, json_t *v)
 {
-    static const char *const known[] = { "id", "category", "validity", "request", "want", "bound", "want_left", "bound_left", "condition", "issue", "comment" };
+    static const char *const known[] = { "id", "category", "validity", "request", "want", "bound", "want_left", "bound_left", "condition", "issue",
+                                         "comment" };
     const char *key;
     json_t *value;
 

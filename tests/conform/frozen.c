@@ -1,7 +1,8 @@
-/* frozen FILE...: the frozen vectors against the exact layer, which shares nothing with the program that made them: the same validity, the same wanted numbers
- * bit for bit (zeros of either sign are one; limits from the left as well), bounds that agree to 1e-9 (and 2^-1064: among subnormals nothing agrees to 1e-9).  Of nearest
- * points the parameters are free, and the exact layer's distance is above that of the vector, which is the least, by its bound at most.
- * And each vector against the judge: what is wanted is right, with the limit from the left, too; what is off by more than its bound is not; refusals as the validity says. */
+/* frozen FILE...: the frozen vectors against the exact layer, which shares nothing with the program that made them: the same validity, the same
+ * wanted numbers bit for bit (zeros of either sign are one; limits from the left as well), bounds that agree to 1e-9 (and 2^-1064: among subnormals
+ * nothing agrees to 1e-9).  Of nearest points the parameters are free, and the exact layer's distance is above that of the vector, which is the least, by its
+ * bound at most.  And each vector against the judge: what is wanted is right, the limit from the left, too; what is off by more than its bound is
+ * not; refusals as the validity says. */
 #include "etalon/conform/vectors.h"
 #include <math.h>
 #include <stdbool.h>
@@ -40,7 +41,8 @@ static bool same_bound(double got, double want)
 static bool same_numbers(view *v, const char *what, const double *got, const double *got_bound, const double *want, const double *bound, size_t n)
 {
     for (size_t k = 0; k < n; k++)
-        if (!say(v, same_number(v, k, got[k], want[k]), what, k, got[k], want[k]) || !say(v, same_bound(got_bound[k], bound[k]), "bound", k, got_bound[k], bound[k]))
+        if (!say(v, same_number(v, k, got[k], want[k]), what, k, got[k], want[k]) || !say(v, same_bound(got_bound[k], bound[k]), "bound", k,
+                                                                                          got_bound[k], bound[k]))
             return false;
     return true;
 }
@@ -123,7 +125,8 @@ static void against_judge(view *v)
     if (t->count == 0 || !all_finite(t->want, t->count))
         return;
     got = judged(v, ET_REPLY_OK, t->want, t->count);
-    say(v, got == ET_VERDICT_CORRECTLY_ROUNDED || (got == ET_VERDICT_WITHIN_BOUND && is_nearest(v)), "what is wanted has the verdict", 0, (double)got, 0);
+    say(v, got == ET_VERDICT_CORRECTLY_ROUNDED || (got == ET_VERDICT_WITHIN_BOUND && is_nearest(v)), "what is wanted has the verdict", 0,
+        (double)got, 0);
     if (t->other && all_finite(t->other, t->count))
         say(v, judged(v, ET_REPLY_OK, t->other, t->count) == ET_VERDICT_CORRECTLY_ROUNDED, "the limit from the left is not right", 0, 0, 0);
     if (has_one_answer(v) && t->validity == ET_VALID)

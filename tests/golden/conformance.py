@@ -43,7 +43,8 @@ def check(folder):
     good, count = conformance_schema.check(["%s/%s.json" % (folder, name) for name in MAKERS], folder + "/schema.json")
     for what, ok in (("the validator finds what is planted", conformance_schema.bites(folder + "/schema.json")),
                      ("%d vectors" % sum(count.values()), sum(count.values()) >= LEAST),
-                     ("of every category: " + ", ".join("%s %d" % (c, count.get(c, 0)) for c in CATEGORIES), all(count.get(c, 0) for c in CATEGORIES))):
+                     ("of every category: " + ", ".join("%s %d" % (c, count.get(c, 0)) for c in CATEGORIES),
+                      all(count.get(c, 0) for c in CATEGORIES))):
         print("%s %s" % ("ok" if ok else "FAIL", what))
         good = good and ok
     return good

@@ -102,7 +102,8 @@ def upward(x):
 
 
 def written(want, bound):
-    """Texts of the wanted numbers and of their bounds, and the condition.  A bound is None where B is said to be 0, else (K, B); B may be infinite."""
+    """Texts of the wanted numbers and of their bounds, and the condition.  A bound is None where B is said to be 0, else (K, B);
+    B may be infinite."""
     texts, bounds, condition = [], [], 1.0
     for w, b in zip(want, bound, strict=True):
         if isinstance(w, Count):

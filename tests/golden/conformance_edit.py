@@ -3,10 +3,12 @@ from fractions import Fraction as F
 from itertools import combinations
 from math import isinf
 
-from conformance_base import (DEFINED, INF, INVALID, LEAST, NAN, U, VALID, Choices, Count, Curve, Operation, Surface, after, curve_kind, domain, fits, number,
+from conformance_base import (DEFINED, INF, INVALID, LEAST, NAN, U, VALID, Choices, Count, Curve, Operation, Surface, after, curve_kind, domain,
+                              fits, number,
                               surface_kind, sure, worse)
 from conformance_evaluate import ARC, CIRCLE, CIRCLE_P, CIRCLE_W, GEOMDL, collapsed, cone, hemisphere
-from conformance_inputs import (at_knot, bad_knots, beside_knot, curve, extreme_knots, inside, near_knots, not_clamped, outside, plain_knots, repeated_knots,
+from conformance_inputs import (at_knot, bad_knots, beside_knot, curve, extreme_knots, inside, near_knots, not_clamped, outside, plain_knots,
+                                repeated_knots,
                                 surface)
 from knots_of import clamped
 from rational import nearest
@@ -353,11 +355,13 @@ def curve_insertions():
         curve_insert(op, "degenerate", collapsed(c, p, u, c.of(("", "short"))), inside_open(c, u, p), 1)
     for k in range(1, 16):
         curve_insert(op, "weights", Curve(2, CIRCLE, CIRCLE_P, CIRCLE_W), k / 16.0, 1, comment="a circle of four arcs")
-    curve_insert(op, "end_of_domain", Curve(2, [float(k) for k in range(7)], [(0.0, 0.0, 0.0), (1.0, 1.0, 0.0), (2.0, 1.0, 0.0), (3.0, 0.0, 0.0)]), 4.0, 1,
+    curve_insert(op, "end_of_domain", Curve(2, [float(k) for k in range(7)], [(0.0, 0.0, 0.0), (1.0, 1.0, 0.0), (2.0, 1.0, 0.0), (3.0, 0.0, 0.0)]),
+                 4.0, 1,
                  GEOMDL + "158", "knots not clamped, at the end of the domain")
     line = [(float(k), float(k), 0.0) for k in range(7)]
     for r in (1, 2):
-        curve_insert(op, "editing", Curve(2, [0.0, 0.0, 0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.0, 1.0], line), 0.5, r, GEOMDL + "153", "before it is removed again")
+        curve_insert(op, "editing", Curve(2, [0.0, 0.0, 0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.0, 1.0], line), 0.5, r, GEOMDL + "153",
+                     "before it is removed again")
     for r in (1, 2):
         curve_insert(op, "editing", Curve(2, clamped(2, []), [(0.0, 0.0, 0.0), (1.0, 1.0, 0.0), (2.0, 0.0, 0.0)]), 0.5, r, GEOMDL + "135",
                      "a parabola cut in the middle")
@@ -507,11 +511,21 @@ def curve_removals():
     v, C = insert([0.0, 0.0, 0.0, 0.25, 0.375, 0.625, 0.75, 1.0, 1.0, 1.0], 2, coefficients(line, []), 0.5, 1)
     again = Curve(2, v, [[nearest(x) for x in q[1:4]] for q in C])
     curve_remove(op, "editing", again, 0.5, 1, 0.0, GEOMDL + "153", "insert, then remove: the control points are those of before")
-    v, C = insert(clamped(3, [0.5]), 3, coefficients([(0.0, 0.0, 0.0), (8.0, 16.0, 0.0), (24.0, 8.0, 8.0), (32.0, -8.0, 0.0), (40.0, 0.0, 16.0)], []), 0.25, 2)
+    v, C = insert(clamped(3, [0.5]), 3, coefficients([(0.0, 0.0, 0.0), (8.0, 16.0, 0.0), (24.0, 8.0, 8.0), (32.0, -8.0, 0.0), (40.0, 0.0, 16.0)],
+                                                     []), 0.25, 2)
     cubic = Curve(3, v, [[nearest(x) for x in q[1:4]] for q in C])
     for r in (1, 2, 3):
-        curve_remove(op, "editing", cubic, 0.25, r, 0.0, "BIMCoderLiang/LNLib/pull/3", "a knot that was inserted twice comes out twice, not three times")
+        curve_remove(op, "editing", cubic, 0.25, r, 0.0, "BIMCoderLiang/LNLib/pull/3",
+                     "a knot that was inserted twice comes out twice, not three times")
         curve_remove(op, "editing", cubic, 0.25, r, 2.0**-20, "mfem/mfem/pull/5510", "insertion and removal: the same as before")
+    u = [0.0] * 4 + [1.0, 2.0, 2.0, 3.0, 4.0] + [5.0] * 4
+    P = [(0.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, 1.0, 0.0), (1.0, 1.0, 0.0), (1.0, 1.0, 1.0), (1.0, 1.0, 2.0), (3.0, 1.0, 1.0), (2.0, 1.0, 2.0),
+         (0.0, 4.0, 1.0)]
+    v, C = insert(u, 3, coefficients(P, []), 1.5, 2)
+    assert doubles(C)
+    twice = Curve(3, v, [[nearest(x) for x in q[1:4]] for q in C])
+    for r in (1, 2, 3):
+        curve_remove(op, "editing", twice, 1.5, r, 1e-7, "ssg-aero/gbs/issues/59", "a knot that was inserted twice comes out twice")
     for x, r, tol, what in ((0.3, 1, 0.0, "no knot"), (0.0, 1, 0.0, "the left end"), (1.0, 1, 0.0, "the right end"), (NAN, 1, 0.0, "x is NaN"),
                             (0.5, 1, NAN, "the tolerance is NaN"), (0.5, 1, -1.0, "a negative tolerance"), (2.0, 1, 0.0, "outside the domain"),
                             (after(0.5), 1, 0.0, "one ulp beside a knot"), (0.5, 1, INF, "an infinite tolerance")):
@@ -589,7 +603,8 @@ def surface_removals():
     flat = Surface(2, 2, clamped(2, [0.25, 0.5]), clamped(2, [0.5]), [(1.0, 2.0, 3.0)] * 20)
     for along, x in (("u", 0.25), ("u", 0.5), ("v", 0.5)):
         surface_remove(op, "degenerate", flat, along, x, 1, 0.0, comment="all control points coincide")
-    for along, x, r, tol, what in (("v", 0.25, 1, 0.0, "no knot in v"), ("u", 0.3, 1, 0.0, "no knot"), ("u", 0.0, 1, 0.0, "the left end"), ("u", NAN, 1, 0.0, "x is NaN"),
+    for along, x, r, tol, what in (("v", 0.25, 1, 0.0, "no knot in v"), ("u", 0.3, 1, 0.0, "no knot"), ("u", 0.0, 1, 0.0, "the left end"),
+                                   ("u", NAN, 1, 0.0, "x is NaN"),
                                    ("u", 0.5, 1, -1.0, "a negative tolerance"), ("v", 0.5, 1, NAN, "the tolerance is NaN")):
         surface_remove(op, "bad_input", flat, along, x, r, tol, comment=what)
     for what, bad in bad_knots(clamped(2, [0.5]), 2):

@@ -1,7 +1,8 @@
 """conformance_evaluate: frozen vectors of spans, multiplicities, Greville points, bases, points, derivatives and normals."""
 from fractions import Fraction as F
 
-from conformance_base import (DEFINED, INF, INVALID, LEAST, NAN, SIDES, U, VALID, Choices, Count, Curve, Local, Operation, Surface, after, before, curve_kind,
+from conformance_base import (DEFINED, INF, INVALID, LEAST, NAN, SIDES, U, VALID, Choices, Count, Curve, Local, Operation, Surface, after, before,
+                              curve_kind,
                               divided, domain, error, fits, jumps, knots_kind, number, place_kind, reals, sequence, spans, sure, surface_kind, worse)
 from conformance_inputs import (at_end, at_knot, bad_knots, beside_knot, control, curve, extreme_knots, inside, near_knots, not_clamped, outside,
                                 plain_knots, repeated_knots, surface)
@@ -89,7 +90,11 @@ def spans_of():
         inside_it = sure(kind, u) and place_kind(u, p, x) == VALID
         op.add(category, [p, reals(u), x], kind, [Count(spans(u, p, x, "right"))] if inside_it else None, [None], issue=issue, comment=comment)
     each_place(c, span, with_side=False)
-    span("end_of_domain", 2, [0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 4.0, 5.0, 5.0, 5.0], 5.0, comment="the book's example: the last span is the one before the end")
+    span("end_of_domain", 2, [0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 4.0, 5.0, 5.0, 5.0], 5.0,
+         comment="the book's example: the last span is the one before the end")
+    for p in (1, 2, 3):
+        u = clamped(p, [1.0, 2.0], 0.0, 3.0)
+        span("end_of_domain", p, u, 3.0, "https://github.com/ssg-aero/gbs/pull/49", "at the right end the span is the one before, not the one beyond")
     span("near_knots", 3, TRIPLES, 1163.376593437529, TINYSPLINE + "175",
          "two triple knots 1.7e-5 apart are two knots")
     span("size", 3, clamped(3, [float(k) for k in range(1, 400)], 0.0, 400.0), 399.5)
@@ -158,7 +163,8 @@ def multiplicities():
         op.add(category, [reals(u), x], kind, None if bad else [Count(sum(t == x for t in u))], [None], issue=issue, comment=comment)
     each_place(c, count, with_side=False, rounds=5)
     for x in (0.0, -0.0):
-        count("near_knots", 1, [-2.0, -1.0, -0.0, -0.0, 0.0, 1.0, 3.0], x, "hyrodium/BasicBSpline.jl/issues/282", "zeros of both signs count together")
+        count("near_knots", 1, [-2.0, -1.0, -0.0, -0.0, 0.0, 1.0, 3.0], x, "hyrodium/BasicBSpline.jl/issues/282",
+              "zeros of both signs count together")
     for x in (1163.376576706019, 1163.376593437529):
         count("near_knots", 3, TRIPLES, x, TINYSPLINE + "175", "two triple knots 1.7e-5 apart, not one of multiplicity six")
     for x in (0.0, 0.5, 1.0, 0.25):
@@ -177,7 +183,8 @@ def grevilles():
             return
         parts = [[F(t) for t in u[i + 1:i + p + 1]] for i in range(len(u) - p - 1)]
         K = 4 * (p + 2)
-        op.add(category, [p, reals(u)], kind, [sum(t) / p for t in parts], [(K, K * U * max(map(abs, t))) for t in parts], issue=issue, comment=comment)
+        op.add(category, [p, reals(u)], kind, [sum(t) / p for t in parts], [(K, K * U * max(map(abs, t))) for t in parts], issue=issue,
+               comment=comment)
     for _ in range(14):
         for p in (1, 2, 3, c.between(1, 6)):
             points_of("plain", p, plain_knots(c, p))
@@ -192,7 +199,8 @@ def grevilles():
     for what, bad in bad_knots(clamped(3, [0.25, 0.5]), 3):
         points_of("bad_input", 3, bad, comment=what)
     points_of("bad_input", 3, [0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0], comment="too few knots")
-    points_of("end_of_domain", 3, [0.0] * 4 + [0.01092385, 0.02200375, 0.03316167, 0.04435861, 0.05526295, 0.0663331, 0.07748615, 0.08868065, 0.09989588,
+    points_of("end_of_domain", 3, [0.0] * 4 + [0.01092385, 0.02200375, 0.03316167, 0.04435861, 0.05526295, 0.0663331, 0.07748615, 0.08868065,
+                                               0.09989588,
               0.11080936, 0.12188408, 0.13303942, 0.14423507, 0.15545087, 0.16636463, 0.1774395, 0.1885949, 0.19979059] + [0.2] * 4,
               "SINTEF/Splipy/issues/44", "the last Greville point is the end of the domain, not a rounding beyond it")
     points_of("size", 3, clamped(3, [float(k) for k in range(1, 300)], 0.0, 300.0))
@@ -206,13 +214,15 @@ def bases():
     end = [0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 5.0, 5.0]
     for side in SIDES:
         basis(op, "end_of_domain", 2, end, 5.0, side, issue=GEOMDL + "117", comment="at the right end the last function is 1")
-        basis(op, "end_of_domain", 3, clamped(3, [1.0, 2.0, 3.0], 0.0, 4.0), 4.0, side, issue=SCIPY + "20888", comment="the last function is 1 at the end")
+        basis(op, "end_of_domain", 3, clamped(3, [1.0, 2.0, 3.0], 0.0, 4.0), 4.0, side, issue=SCIPY + "20888",
+              comment="the last function is 1 at the end")
         basis(op, "end_of_domain", 1, [0.0, 0.0, 1.0, 1.0], 1.0, side, issue="HoBeZwe/NURBS.jl/issues/9", comment="the last function is 1 at the end")
         basis(op, "end_of_domain", 3, clamped(3, [25.0, 35.0, 55.0, 65.0], 0.0, 85.0), 85.0, side, issue="johntfoster/bspline/issues/1",
               comment="the last function is 1 at the end, not 0")
     basis(op, "bad_input", 2, [1.0, 2.0, 3.0, 4.0], 3.5, issue="gismo/gismo/issues/478", comment="four knots are too few for degree 2")
     for x in (1.25, 2.5):
-        basis(op, "end_of_domain", 2, [float(k) for k in range(7)], x, issue=SCIPY + "16448", comment="knots not clamped; 1.25 is outside the domain [2, 4]")
+        basis(op, "end_of_domain", 2, [float(k) for k in range(7)], x, issue=SCIPY + "16448",
+              comment="knots not clamped; 1.25 is outside the domain [2, 4]")
     for x in (3 * 2.0**-53, 0.5, 1.0 - 2.0**-53):
         basis(op, "end_of_domain", 0, [0.0, 0.5, 1.0], x)
     for x in (1163.376576706019, 1163.376593437529, 1163.37658):
@@ -223,7 +233,8 @@ def bases():
 def basis_derivatives():
     op = Operation("basis_ders")
     c = Choices(105)
-    each_place(c, lambda category, p, u, x, side="any", **more: basis(op, category, p, u, x, side, c.of((0, 1, 1, 2, 2, 3, 3, p)) if p < 9 else 3, **more),
+    each_place(c, lambda category, p, u, x, side="any", **more: basis(op, category, p, u, x, side, c.of((0, 1, 1, 2, 2, 3, 3, p)) if p < 9 else 3,
+                                                                      **more),
                rounds=7, least_degree=1)
     end = [0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 5.0, 5.0]
     for side in SIDES:
@@ -241,7 +252,8 @@ def basis_derivatives():
 
 ARC = 0.7071067811865476
 CIRCLE = [0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0]
-CIRCLE_P = [(1.0, 0.0, 2.0), (1.0, 1.0, 2.0), (0.0, 1.0, 2.0), (-1.0, 1.0, 2.0), (-1.0, 0.0, 2.0), (-1.0, -1.0, 2.0), (0.0, -1.0, 2.0), (1.0, -1.0, 2.0),
+CIRCLE_P = [(1.0, 0.0, 2.0), (1.0, 1.0, 2.0), (0.0, 1.0, 2.0), (-1.0, 1.0, 2.0), (-1.0, 0.0, 2.0), (-1.0, -1.0, 2.0), (0.0, -1.0, 2.0),
+            (1.0, -1.0, 2.0),
             (1.0, 0.0, 2.0)]
 CIRCLE_W = [1.0, ARC] * 4 + [1.0]
 
@@ -337,7 +349,8 @@ def curves():
     for x in (0.0, 100.0, 100.5, 255.99, 256.0):
         curve_value(op, "size", many, x, comment="259 control points")
     for x in (1.0, 3.5):
-        curve_value(op, "degrees", Curve(0, [0.0, 1.0, 2.0, 4.0], [(1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0)]), x, comment="degree 0 is a step")
+        curve_value(op, "degrees", Curve(0, [0.0, 1.0, 2.0, 4.0], [(1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0)]), x,
+                    comment="degree 0 is a step")
     return op
 
 
@@ -371,13 +384,16 @@ def from_trackers(op, d):
         curve_value(op, "end_of_domain", Curve(3, [float(k) for k in range(8)], square), x, "any", d, GEOMDL + "115",
                     "uniform knots, not clamped: the domain is [3, 4]")
     for x in (1.25, 2.5, 2.0, 4.0):
-        curve_value(op, "end_of_domain", Curve(2, [float(k) for k in range(7)], [(-1.0, 0.0, 0.0), (2.0, 0.0, 0.0), (0.0, 0.0, 0.0), (-1.0, 0.0, 0.0)]), x,
+        curve_value(op, "end_of_domain", Curve(2, [float(k) for k in range(7)], [(-1.0, 0.0, 0.0), (2.0, 0.0, 0.0), (0.0, 0.0, 0.0),
+                                                                                 (-1.0, 0.0, 0.0)]), x,
                     "any", d, SCIPY + "16448", "knots not clamped: the domain is [2, 4]")
-    curve_value(op, "end_of_domain", Curve(3, clamped(3, [0.25, 0.5, 0.75]), [(float(k), 1.0, 0.0) for k in range(7)]), -1e-5, "any", d, TINYSPLINE + "222",
+    curve_value(op, "end_of_domain", Curve(3, clamped(3, [0.25, 0.5, 0.75]), [(float(k), 1.0, 0.0) for k in range(7)]), -1e-5, "any", d,
+                TINYSPLINE + "222",
                 "just below the domain: anything finite, or a refusal, but an answer")
     some = Curve(3, TRIPLES, [(float(k), float(k % 2), 0.0) for k in range(10)])
     for x in (1163.376576706019, 1163.376585, 1163.376593437529):
-        curve_value(op, "near_knots", some, x, "any", d, TINYSPLINE + "175", "triple knots 1.7e-5 apart: the curve runs through a control point at each")
+        curve_value(op, "near_knots", some, x, "any", d, TINYSPLINE + "175",
+                    "triple knots 1.7e-5 apart: the curve runs through a control point at each")
     dense = Curve(3, clamped(3, [k / 8.0 for k in range(1, 8)]), [(float(k), float(k * k % 5), 0.0) for k in range(11)])
     for x in (0.25 + 1e-5, 0.25 - 1e-5, 0.5 + 1e-7, 0.625 - 1e-9):
         curve_value(op, "near_knots", dense, x, "any", d, TINYSPLINE + "252", "a parameter near a knot is not that knot")
@@ -440,7 +456,8 @@ def each_surface(c, go, rounds, least_degree, sided=True):
             go("degenerate", pole, domain(u, p)[c.upto(1)], inside(c, v, q), comment="one edge is a point")
             go("degenerate", pole, inside(c, u, p), inside(c, v, q), comment="one edge is a point")
             if r % 2:
-                go("degenerate", Surface(p, q, u, v, [one.P[0]] * len(one.P)), inside(c, u, p), inside(c, v, q), comment="all control points coincide")
+                go("degenerate", Surface(p, q, u, v, [one.P[0]] * len(one.P)), inside(c, u, p), inside(c, v, q),
+                   comment="all control points coincide")
             else:
                 go("degenerate", Surface(p, q, u, v, [one.P[k % one.nv] for k in range(len(one.P))]), inside(c, u, p), inside(c, v, q),
                    comment="a surface that is a curve")
@@ -493,7 +510,8 @@ def hemisphere():
 
 def cone():
     """A line turned about the axis that it meets: its tip is an edge of no length."""
-    return Surface(1, 2, clamped(1, []), clamped(2, []), [(0.0, 0.0, 1.0)] * 3 + [(1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)], [1.0, ARC, 1.0] * 2)
+    return Surface(1, 2, clamped(1, []), clamped(2, []), [(0.0, 0.0, 1.0)] * 3 + [(1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)],
+                   [1.0, ARC, 1.0] * 2)
 
 
 def surfaces():
@@ -527,7 +545,8 @@ def surfaces():
 def surface_derivatives():
     op = Operation("surface_ders")
     c = Choices(109)
-    each_surface(c, lambda category, s, x, y, a="any", b="any", **more: surface_value(op, category, s, x, y, a, b, c.of((0, 1, 1, 1, 2, 2, 3)), **more), 3, 1)
+    each_surface(c, lambda category, s, x, y, a="any", b="any", **more: surface_value(op, category, s, x, y, a, b, c.of((0, 1, 1, 1, 2, 2, 3)),
+                                                                                      **more), 3, 1)
     for k in range(5):
         surface_value(op, "weights", hemisphere(), k / 4.0, 0.5, d=2, comment="an eighth of a sphere")
         surface_value(op, "degenerate", cone(), 0.0, k / 4.0, d=2, issue="solvespace/solvespace/pull/736", comment="the tip of a cone: S_v = 0")
@@ -535,7 +554,8 @@ def surface_derivatives():
 
 
 def normal_of(s, x, y, side):
-    """The correctly rounded normal and its (K, B); whether it can be told from none.  None where the cross product is 0 or something is out of range."""
+    """The correctly rounded normal and its (K, B); whether it can be told from none.  () where the cross product is 0, None where something
+    is out of range."""
     D, E = divided(s.orders(x, y, 1, side, side), bool(s.w))
     if D is None:
         return None
@@ -597,7 +617,8 @@ def normals():
     each_surface(c, lambda category, s, x, y, *_, **more: normal(op, category, s, x, y, **more), 4, 1, sided=False)
     for k in range(9):
         normal(op, "weights", hemisphere(), k / 9.0, 0.5, comment="an eighth of a sphere: the normal is the point")
-        normal(op, "degenerate", hemisphere(), 1.0, k / 8.0, "PixarAnimationStudios/OpenSubdiv/issues/947", "the pole of a sphere: the cross product vanishes")
+        normal(op, "degenerate", hemisphere(), 1.0, k / 8.0, "PixarAnimationStudios/OpenSubdiv/issues/947",
+               "the pole of a sphere: the cross product vanishes")
         normal(op, "degenerate", cone(), 0.0, k / 8.0, "solvespace/solvespace/pull/736", "the tip of a cone: the cross product vanishes")
         normal(op, "degenerate", cone(), 2.0 ** -(8 * k), 0.5, "solvespace/solvespace/pull/736", "near the tip of a cone there is a normal")
     par = Surface(1, 1, clamped(1, []), clamped(1, []), [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (2.0, 0.0, 0.0), (3.0, 0.0, 0.0)])

@@ -47,7 +47,8 @@ def parameters():
             ask("bad_input", method, [(0.0, 0.0, 0.0), (1.0, value, 0.0), (2.0, 0.0, 0.0)], comment="a coordinate is no number")
         ask("bad_input", method, [], comment="no points")
         ask("bad_input", method, [(1.0, 2.0, 3.0)], comment="one point")
-        ask("extreme_scale", method, [(0.0, 0.0, 0.0), (1.5e308, 0.0, 0.0), (-1.5e308, 1.5e308, 0.0)], comment="differences overflow, parameters do not")
+        ask("extreme_scale", method, [(0.0, 0.0, 0.0), (1.5e308, 0.0, 0.0), (-1.5e308, 1.5e308, 0.0)],
+            comment="differences overflow, parameters do not")
         ask("extreme_scale", method, [(0.0, 0.0, 0.0), (2.0**-1074, 0.0, 0.0), (2.0**-1074, 2.0**-1074, 0.0), (1.0, 0.0, 0.0)],
             comment="squares underflow")
     return op
@@ -71,7 +72,8 @@ def parameter_grids():
             ask("plain", method, nx, ny, control(c, nx * ny, c.of(("short", "real"))))
             ask("extreme_scale", method, nx, ny, control(c, nx * ny, ("far", "huge", "tiny", "subnormal", "mixed")[k % 5]))
             P = control(c, nx * ny)
-            ask("degenerate", method, nx, ny, [P[0]] * ny + P[ny:], GEOMDL + ("132", "166")[k % 2], "one row is a point: it counts with uniform parameters")
+            ask("degenerate", method, nx, ny, [P[0]] * ny + P[ny:], GEOMDL + ("132", "166")[k % 2],
+                "one row is a point: it counts with uniform parameters")
             ask("seam", method, nx + 1, ny, P + P[:ny], comment="closed along i")
             if k < 2:
                 ask("degenerate", method, nx, ny, [P[0]] * (nx * ny), comment="all points coincide")
@@ -115,7 +117,8 @@ def knot_rules():
 
     def ask(category, rule, p, n, t, issue=None, comment=None):
         args = [rule, p, n, reals(t)]
-        bad = n < p + 1 or len(t) < 2 or not all(map(number, t)) or (rule == "averaging" and len(t) != n) or (rule in ("piegl", "faithful") and len(t) < n)
+        bad = n < p + 1 or len(t) < 2 or not all(map(number, t)) or (rule == "averaging" and len(t) != n) or (rule in ("piegl",
+                "faithful") and len(t) < n)
         odd = not bad and (p == 0 or any(a > b for a, b in zip(t, t[1:])) or t[0] < 0 or t[-1] > 1)
         if bad or odd:
             op.add(category, args, INVALID if bad else DEFINED, issue=issue, comment=comment)
@@ -123,7 +126,8 @@ def knot_rules():
         inner, K = inner_of(rule, p, n, [F(x) for x in t]), 4 * (p + 2)
         op.add(category, args, VALID, [F(0)] * (p + 1) + inner + [F(1)] * (p + 1), [None] * (p + 1) + [(K, K * U)] * len(inner) + [None] * (p + 1),
                issue=issue, comment=comment)
-    hows = (("random", "plain"), ("short", "plain"), ("repeated", "repeated_knots"), ("near", "near_knots"), ("ends", "end_of_domain"), ("tiny", "extreme_scale"))
+    hows = (("random", "plain"), ("short", "plain"), ("repeated", "repeated_knots"), ("near", "near_knots"), ("ends", "end_of_domain"),
+            ("tiny", "extreme_scale"))
     for how, category in hows:
         for k in range(9):
             m = c.between(4, 14)
@@ -315,12 +319,14 @@ def fit_curves():
                 t = good_sites(c, u, p, n + 3)
                 fit_curve(op, "extreme_scale", p, u, t, control(c, len(t), how), comment="data: " + how)
                 fit_curve(op, "degenerate", p, u, t, [(0.1, 0.2, 0.3)] * len(t), comment="all data coincide")
-                fit_curve(op, "fit_failure", p, u, [t[0]] * (len(t) - 1) + t[-1:], control(c, len(t)), SCIPY + "22704", "repeated parameters: rank deficient")
+                fit_curve(op, "fit_failure", p, u, [t[0]] * (len(t) - 1) + t[-1:], control(c, len(t)), SCIPY + "22704",
+                          "repeated parameters: rank deficient")
                 fit_curve(op, "fit_failure", p, u, t[:n - 1], control(c, n - 1), comment="fewer data than control points")
                 s = [x / 4.0 for x in t]
                 fit_curve(op, "fit_failure", p, clamped(p, [0.5, 0.75]), s, control(c, len(s)), "https://github.com/scipy/scipy/pull/26090",
                           "no parameter where a basis function lives: Schoenberg-Whitney violated")
-                fit_curve(op, "repeated_knots", p, clamped(p, [0.5] * p), sorted(set(t + [0.25, 0.5, 0.75, 0.125])), control(c, len(set(t + [0.25, 0.5, 0.75, 0.125]))))
+                fit_curve(op, "repeated_knots", p, clamped(p, [0.5] * p), sorted(set(t + [0.25, 0.5, 0.75, 0.125])),
+                          control(c, len(set(t + [0.25, 0.5, 0.75, 0.125]))))
                 full = [0.0, 0.125, 0.25, 0.375, 0.4375, 0.5625, 0.625, 0.75, 0.875, 1.0]
                 fit_curve(op, "repeated_knots", p, clamped(p, [0.5] * (p + 1)), full, control(c, 10), comment="two curves in one")
                 fit_curve(op, "repeated_knots", p, clamped(p, [0.5] * (p + 1)), full + [1.0], control(c, 11))
@@ -332,23 +338,29 @@ def fit_curves():
                     fit_curve(op, "extreme_scale", p, e, [lo + (hi - lo) * (j / 8.0) for j in range(9)], control(c, 9))
                 e = not_clamped(c, p)
                 lo, hi = domain(e, p)
-                fit_curve(op, "end_of_domain", p, e, [lo + (hi - lo) * (j / 16.0) for j in range(17)], control(c, 17), comment="knots not clamped: may be refused")
+                fit_curve(op, "end_of_domain", p, e, [lo + (hi - lo) * (j / 16.0) for j in range(17)], control(c, 17),
+                          comment="knots not clamped: may be refused")
     for k in (10, 20, 26, 30, 34, 45):
-        fit_curve(op, "fit_failure", 1, clamped(1, [0.5]), [0.0, 2.0**-k, 0.5, 1.0 - 2.0**-k], [(1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, 0.0, -1.0)],
+        fit_curve(op, "fit_failure", 1, clamped(1, [0.5]), [0.0, 2.0**-k, 0.5, 1.0 - 2.0**-k],
+                  [(1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, 0.0, -1.0)],
                   comment="two parameters 2^-%d apart" % k)
-        fit_curve(op, "fit_failure", 2, clamped(2, [0.5]), [0.0, 0.5, 0.5 + 2.0**-k, 1.0], [(1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, 0.0, -1.0)],
+        fit_curve(op, "fit_failure", 2, clamped(2, [0.5]), [0.0, 0.5, 0.5 + 2.0**-k, 1.0],
+                  [(1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, 0.0, -1.0)],
                   comment="two parameters 2^-%d apart" % k)
     fit_curve(op, "fit_failure", 1, clamped(1, []), [0.0, 0.5, 1.0], [(0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (2.0, 2.0, 2.0)], GEOMDL + "124",
               "a line through three points of a line")
     t = [0.0] * 3 + [0.5] * 3 + [1.0] * 3
     fit_curve(op, "fit_failure", 5, clamped(5, [0.25, 0.5, 0.75]), t, control(c, 9), GEOMDL + "119", "nine data at three parameters: rank deficient")
-    fit_curve(op, "fit_failure", 3, clamped(3, [0.5]), [0.0, 0.25, 0.25, 0.25, 0.25, 1.0], control(c, 6), GEOMDL + "181", "repeated parameters: rank deficient")
-    fit_curve(op, "fit_failure", 3, clamped(3, []), [0.0, 0.25, 0.25, 0.75, 0.75, 1.0], control(c, 6), GEOMDL + "181", "repeated parameters, but enough others")
+    fit_curve(op, "fit_failure", 3, clamped(3, [0.5]), [0.0, 0.25, 0.25, 0.25, 0.25, 1.0], control(c, 6), GEOMDL + "181",
+              "repeated parameters: rank deficient")
+    fit_curve(op, "fit_failure", 3, clamped(3, []), [0.0, 0.25, 0.25, 0.75, 0.75, 1.0], control(c, 6), GEOMDL + "181",
+              "repeated parameters, but enough others")
     for p in range(1, 10):
         t = [j / 32.0 for j in range(0, 33, 2)]
         fit_curve(op, "degrees", p, clamped(p, []), t, control(c, 17), comment="degree %d" % p)
     u = clamped(3, [j / 32.0 for j in range(1, 32)])
-    fit_curve(op, "size", 3, u, [j / 64.0 for j in range(65)], [(float(j), float(j % 5), float(j % 3)) for j in range(65)], comment="35 control points, 65 data")
+    fit_curve(op, "size", 3, u, [j / 64.0 for j in range(65)], [(float(j), float(j % 5), float(j % 3)) for j in range(65)],
+              comment="35 control points, 65 data")
     p, u, t = 2, clamped(2, [0.5]), [0.0, 0.25, 0.5, 0.75, 1.0]
     P = control(c, 5)
     for what, bad in bad_knots(u, p):
@@ -432,15 +444,20 @@ def fit_grids():
                 fit_grid(op, "plain", corners, p, q, u, v, s, r, control(c, len(s) * len(r)))
             if k < 3:
                 how = ("far", "huge", "tiny", "subnormal", "mixed")[(k + p) % 5]
-                fit_grid(op, "extreme_scale", c.of(("free", "interpolated")), p, q, u, v, s, r, control(c, len(s) * len(r), how), comment="data: " + how)
+                fit_grid(op, "extreme_scale", c.of(("free", "interpolated")), p, q, u, v, s, r, control(c, len(s) * len(r), how),
+                         comment="data: " + how)
                 P = control(c, len(s) * len(r))
-                fit_grid(op, "degenerate", "interpolated", p, q, u, v, s, r, [P[0]] * len(r) + P[len(r):], GEOMDL + "132", "one row of data is a point")
+                fit_grid(op, "degenerate", "interpolated", p, q, u, v, s, r, [P[0]] * len(r) + P[len(r):], GEOMDL + "132",
+                         "one row of data is a point")
                 fit_grid(op, "seam", "free", p, q, u, v, s, r, P[:-len(r)] + P[:len(r)], comment="data closed along i")
-                fit_grid(op, "fit_failure", "free", p, q, u, v, [0.0] * (len(s) - 1) + [1.0], r, P, comment="repeated parameters: rank deficient" if nu > 2 else None)
-                fit_grid(op, "fit_failure", "free", p, q, clamped(p, [0.5, 0.75]), v, [x / 4.0 for x in s], r, P, comment="Schoenberg-Whitney violated")
+                fit_grid(op, "fit_failure", "free", p, q, u, v, [0.0] * (len(s) - 1) + [1.0], r, P,
+                         comment="repeated parameters: rank deficient" if nu > 2 else None)
+                fit_grid(op, "fit_failure", "free", p, q, clamped(p, [0.5, 0.75]), v, [x / 4.0 for x in s], r, P,
+                         comment="Schoenberg-Whitney violated")
                 fit_grid(op, "fit_failure", "free", p, q, u, v, s[:nu - 1], r, P[:(nu - 1) * len(r)], comment="fewer rows than control points")
     for k in (8, 16, 24, 40):
-        fit_grid(op, "fit_failure", "free", 1, 1, clamped(1, [0.5]), clamped(1, []), [0.0, 2.0**-k, 0.5, 1.0 - 2.0**-k], [0.0, 2.0**-k, 1.0], control(c, 12),
+        fit_grid(op, "fit_failure", "free", 1, 1, clamped(1, [0.5]), clamped(1, []), [0.0, 2.0**-k, 0.5, 1.0 - 2.0**-k], [0.0, 2.0**-k, 1.0],
+                 control(c, 12),
                  comment="parameters 2^-%d apart" % k)
     u, v, s, r = clamped(2, [0.5]), clamped(1, []), [0.0, 0.25, 0.5, 0.75, 1.0], [0.0, 0.5, 1.0]
     P = control(c, 15)
@@ -457,7 +474,8 @@ def fit_grids():
     fit_grid(op, "size", "interpolated", 3, 3, clamped(3, [0.25, 0.5, 0.75]), clamped(3, [0.5]), wide, wide[::2],
              [(float(i), float(j), float(i * j % 5)) for i in range(17) for j in range(9)], comment="17 x 9 data")
     for p in (4, 5):
-        fit_grid(op, "degrees", "free", p, 1, clamped(p, []), clamped(1, []), [j / 8.0 for j in range(9)], [0.0, 1.0], control(c, 18), comment="degree %d" % p)
+        fit_grid(op, "degrees", "free", p, 1, clamped(p, []), clamped(1, []), [j / 8.0 for j in range(9)], [0.0, 1.0], control(c, 18),
+                 comment="degree %d" % p)
     return op
 
 
@@ -550,7 +568,8 @@ def approximations():
         ask("bad_input", 0, q, nu, nv, mx, my, P, comment="degree 0")
         ask("bad_input", p, q, nu, nv, mx, my, [(NAN, 0.0, 0.0)] + P[1:], comment="a datum is NaN")
     for n in (16, 30):
-        ask("size", 3, 3, n // 2, n // 2, n, n, [(float(i), float(j), float(i * j % 7)) for i in range(n) for j in range(n)], "bgrimstad/splinter/issues/49",
+        ask("size", 3, 3, n // 2, n // 2, n, n, [(float(i), float(j), float(i * j % 7)) for i in range(n) for j in range(n)],
+            "bgrimstad/splinter/issues/49",
             "%d x %d data: a matter of moments" % (n, n))
     ask("degenerate", 1, 1, 2, 2, 3, 3, [(1.0, 2.0, 3.0)] * 9, GEOMDL + "166", "all data coincide")
     return op

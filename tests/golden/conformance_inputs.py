@@ -4,8 +4,8 @@ from knots_of import clamped, inner_knots, near, scaled
 
 # Coordinates: few digits wherever digits do not matter, so that people can read the files.
 COORDINATES = {"short": lambda c: (c.upto(64) - 32) / 8.0, "real": lambda c: c.real(-1, 1), "far": lambda c: 1e9 + c.upto(64) / 64.0,
-               "huge": lambda c: c.real(-1, 1) * 1e307, "tiny": lambda c: c.real(-1, 1) * 1e-300, "subnormal": lambda c: (c.upto(2000) - 1000) * 2.0**-1074,
-               "mixed": lambda c: c.real(-1, 1) * 10.0 ** (c.upto(30) - 15)}
+               "huge": lambda c: c.real(-1, 1) * 1e307, "tiny": lambda c: c.real(-1, 1) * 1e-300,
+               "subnormal": lambda c: (c.upto(2000) - 1000) * 2.0**-1074, "mixed": lambda c: c.real(-1, 1) * 10.0 ** (c.upto(30) - 15)}
 WEIGHTS = {"": None, "short": lambda c: (c.upto(24) + 8) / 16.0, "equal": lambda c: 0.1, "ratio": lambda c: 10.0 ** (c.upto(16) - 8),
            "tiny": lambda c: c.real(1, 2) * 1e-150, "one huge": lambda c: 1e16 if c.upto(3) == 0 else 1.0}
 

@@ -1,12 +1,13 @@
 """conformance_other: frozen vectors of nearest points, surface errors, the double net's numbering and gaps at seams.
 
-The nearest point of a curve is found by Sturm's chains in rationals: all places where the distance is stationary, and the ends of all spans.  That of a surface is
-known because the surface is made so: planes, graphs over their parameters, quarters of cylinders.
+The nearest point of a curve is found by Sturm's chains in rationals: all places where the distance is stationary, and the ends of all spans.  That of
+a surface is known because the surface is made so: planes, graphs over their parameters, quarters of cylinders.
 """
 from fractions import Fraction as F
 from math import comb, factorial
 
-from conformance_base import (DEFINED, INF, INVALID, LEAST, NAN, U, VALID, Choices, Count, Curve, Local, Operation, Surface, curve_kind, domain, homogeneous, jumps,
+from conformance_base import (DEFINED, INF, INVALID, LEAST, NAN, U, VALID, Choices, Count, Curve, Local, Operation, Surface, curve_kind, domain,
+                              homogeneous, jumps,
                               knots_kind, number, points, reals, surface_kind, sure, worse)
 from conformance_evaluate import bad_curves, collapsed, cone, hemisphere
 from conformance_inputs import control, curve, not_clamped, plain_knots, repeated_knots, surface, weigh
@@ -225,10 +226,13 @@ def curve_inversions():
     for turn in range(1, 5):
         P = [(float((i % 4 in (1, 2)) * 8), float((i % 4 in (2, 3)) * 8), i / 16.0) for i in range(24)]
         coil = Curve(1, clamped(1, [float(i) for i in range(1, 23)], 0.0, 23.0), P)
-        curve_nearest(op, "inversion", coil, [(3.0, -0.5, turn / 4.0 + 0.125)], "https://github.com/bldrs-ai/conway/pull/604", "turns that lie near each other")
-        curve_nearest(op, "inversion", coil, [(8.25, 5.0, turn / 4.0)], "https://github.com/bldrs-ai/conway/pull/604", "turns that lie near each other")
+        curve_nearest(op, "inversion", coil, [(3.0, -0.5, turn / 4.0 + 0.125)], "https://github.com/bldrs-ai/conway/pull/604",
+                      "turns that lie near each other")
+        curve_nearest(op, "inversion", coil, [(8.25, 5.0, turn / 4.0)], "https://github.com/bldrs-ai/conway/pull/604",
+                      "turns that lie near each other")
     for x in (0.25, 0.5, 7.75):
-        curve_nearest(op, "inversion", Curve(2, clamped(2, [1.0, 2.0], 0.0, 3.0), [(0.0, 0.0, 0.0), (2.0, 4.0, 0.0), (4.0, -4.0, 0.0), (6.0, 4.0, 0.0), (8.0, 0.0, 0.0)]),
+        curve_nearest(op, "inversion", Curve(2, clamped(2, [1.0, 2.0], 0.0, 3.0), [(0.0, 0.0, 0.0), (2.0, 4.0, 0.0), (4.0, -4.0, 0.0),
+                                                                                   (6.0, 4.0, 0.0), (8.0, 0.0, 0.0)]),
                       [(x, 1.0, 0.5)], "Open-Cascade-SAS/OCCT/issues/345", "parameter and distance belong together")
     for p in range(4, 9):
         one = Curve(p, clamped(p, []), [(float(i), float(i * i % 5), 0.0) for i in range(p + 1)])
@@ -236,7 +240,8 @@ def curve_inversions():
     for s in (2.0**300, 2.0**-300):
         one = Curve(2, clamped(2, [0.5]), [(0.0, 0.0, 0.0), (s, 2 * s, 0.0), (3 * s, 2 * s, s), (4 * s, 0.0, 0.0)])
         curve_nearest(op, "extreme_scale", one, [(s, s, s)])
-        curve_nearest(op, "extreme_scale", Curve(2, [t * s for t in one.u], [(0.0, 0.0, 0.0), (1.0, 2.0, 0.0), (3.0, 2.0, 1.0), (4.0, 0.0, 0.0)]), [(1.0, 1.0, 1.0)])
+        curve_nearest(op, "extreme_scale", Curve(2, [t * s for t in one.u], [(0.0, 0.0, 0.0), (1.0, 2.0, 0.0), (3.0, 2.0, 1.0), (4.0, 0.0, 0.0)]),
+                      [(1.0, 1.0, 1.0)])
     curve_nearest(op, "end_of_domain", curve(c, 2, not_clamped(c, 2)), [(0.0, 0.0, 0.0)], comment="knots not clamped: may be refused")
     curve_nearest(op, "degrees", Curve(0, [0.0, 1.0, 2.0], [(1.0, 2.0, 3.0), (4.0, 5.0, 6.0)]), [(0.0, 0.0, 0.0)], comment="degree 0: may be refused")
     long = Curve(3, clamped(3, [float(i) for i in range(1, 60)], 0.0, 60.0), [(float(i), float(i * i % 7), float(i % 3)) for i in range(63)])
@@ -292,25 +297,29 @@ def surface_inversions():
                     P = (F(c.between(1, 63), 64), F(c.between(1, 63), 64), P[2])
                 at = [held(P[0], u[0], u[-1]), held(P[1], v[0], v[-1])]
                 inside = at == list(P[:2])
-                surface_nearest(op, "inversion" if inside else "end_of_domain", flat, [tuple(map(float, P))], at,
-                                (P[0] - at[0]) ** 2 + (P[1] - at[1]) ** 2 + (P[2] - F(1, 2)) ** 2, comment="a plane" if inside else "beyond the edge of a plane")
+                d2 = (P[0] - at[0]) ** 2 + (P[1] - at[1]) ** 2 + (P[2] - F(1, 2)) ** 2
+                surface_nearest(op, "inversion" if inside else "end_of_domain", flat, [tuple(map(float, P))], at, d2,
+                                comment="a plane" if inside else "beyond the edge of a plane")
             if k < 12:
                 hill = graph(c, p, u, q, v, lambda c: c.between(-8, 8) / 8.0)
                 if hill:
                     at = [F(c.between(0, 16), 16), F(c.between(0, 16), 16)]
                     Q = point_of(hill, at)
                     if all(F(float(x)) == x for x in Q):
-                        surface_nearest(op, "inversion", hill, [tuple(map(float, Q))], at, F(0), "qnzhou/nanospline/issues/49", "a point of the surface")
+                        surface_nearest(op, "inversion", hill, [tuple(map(float, Q))], at, F(0), "qnzhou/nanospline/issues/49",
+                                        "a point of the surface")
                     i, j = c.upto(1), c.upto(1)
                     corner = point_of(hill, [F(i), F(j)])
                     P = [corner[0] + (16 if i else -16), corner[1] + (16 if j else -16), corner[2]]
                     surface_nearest(op, "end_of_domain", hill, [tuple(map(float, P))], [F(i), F(j)], F(512), comment="beyond a corner")
-    wall = Surface(2, 1, clamped(2, []), clamped(1, []), [(1.0, 0.0, 0.0), (1.0, 0.0, 8.0), (1.0, 1.0, 0.0), (1.0, 1.0, 8.0), (0.0, 1.0, 0.0), (0.0, 1.0, 8.0)],
+    wall = Surface(2, 1, clamped(2, []), clamped(1, []), [(1.0, 0.0, 0.0), (1.0, 0.0, 8.0), (1.0, 1.0, 0.0), (1.0, 1.0, 8.0), (0.0, 1.0, 0.0),
+                                                          (0.0, 1.0, 8.0)],
                    [1.0, 1.0, 1.0, 1.0, 2.0, 2.0])
     for k in (1, 2, 4, 8):
         for z in (-3.0, 0.0, 2.0, 5.5, 12.0):
             y = held(F(z), 0, 8)
-            surface_nearest(op, "weights", wall, [(0.75 * k, 1.0 * k, z)], [F(1, 2), y / 8], (F(5 * k, 4) - 1) ** 2 + (F(z) - y) ** 2, comment="a quarter of a cylinder")
+            surface_nearest(op, "weights", wall, [(0.75 * k, 1.0 * k, z)], [F(1, 2), y / 8], (F(5 * k, 4) - 1) ** 2 + (F(z) - y) ** 2,
+                            comment="a quarter of a cylinder")
     for s in (2.0**300, 2.0**-300):
         flat = Surface(1, 1, clamped(1, []), clamped(1, []), [(0.0, 0.0, 0.0), (0.0, s, 0.0), (s, 0.0, 0.0), (s, s, 0.0)])
         surface_nearest(op, "extreme_scale", flat, [(0.25 * s, 0.75 * s, 3 * s)], [F(1, 4), F(3, 4)], (3 * F(s)) ** 2)
@@ -329,7 +338,8 @@ def surface_inversions():
     surface_nearest(op, "bad_input", flat, control(c, 2), comment="two points")
     for bad in (NAN, INF):
         surface_nearest(op, "bad_input", flat, [(0.0, 0.0, bad)], comment="a coordinate is no number")
-        surface_nearest(op, "bad_input", Surface(1, 1, flat.u, flat.v, flat.P[:3] + [(bad, 0.0, 0.0)]), [(0.0, 0.0, 0.0)], comment="a control point is no number")
+        surface_nearest(op, "bad_input", Surface(1, 1, flat.u, flat.v, flat.P[:3] + [(bad, 0.0, 0.0)]), [(0.0, 0.0, 0.0)],
+                        comment="a control point is no number")
     surface_nearest(op, "bad_input", Surface(1, 1, flat.u, flat.v, flat.P, [1.0, -1.0, 1.0, 1.0]), [(0.0, 0.0, 0.0)], comment="a negative weight")
     surface_nearest(op, "bad_input", Surface(1, 1, flat.u, [0.0, 0.0, 1.0, 0.5], flat.P), [(0.0, 0.0, 0.0)], comment="knots decrease")
     return op
@@ -392,23 +402,30 @@ def surface_errors():
             surface_error(op, "plain", f, s, r, control(c, len(s) * len(r)))
             if k < 4:
                 how = ("far", "tiny", "mixed", "real")[k]
-                surface_error(op, "extreme_scale" if k < 3 else "plain", surface(c, p, u, q, v, how), s, r, control(c, len(s) * len(r), how), comment="coordinates: " + how)
-                surface_error(op, "degenerate", Surface(p, q, u, v, [f.P[0]] * len(f.P)), s, r, [f.P[0]] * (len(s) * len(r)), comment="everything is one point: both are 0")
+                surface_error(op, "extreme_scale" if k < 3 else "plain", surface(c, p, u, q, v, how), s, r, control(c, len(s) * len(r), how),
+                              comment="coordinates: " + how)
+                surface_error(op, "degenerate", Surface(p, q, u, v, [f.P[0]] * len(f.P)), s, r, [f.P[0]] * (len(s) * len(r)),
+                              comment="everything is one point: both are 0")
                 n = repeated_knots(c, p)
                 surface_error(op, "repeated_knots", surface(c, p, n, q, v), sorted(set(n)), r, control(c, len(set(n)) * len(r)))
-                surface_error(op, "end_of_domain", f, [u[0], u[-1]], [v[0], v[-1]], [f.P[0], f.P[f.nv - 1], f.P[-f.nv], f.P[-1]] if not f.w else control(c, 4),
+                surface_error(op, "end_of_domain", f, [u[0], u[-1]], [v[0], v[-1]], [f.P[0], f.P[f.nv - 1], f.P[-f.nv],
+                                                                                     f.P[-1]] if not f.w else control(c, 4),
                               comment="the corners are met")
                 surface_error(op, "end_of_domain", f, [u[-1] + 1.0], r, control(c, len(r)), comment="outside the domain: may be refused")
-                surface_error(op, "weights", Surface(p, q, u, v, f.P, weigh(c, len(f.P), c.of(("ratio", "equal")))), s, r, control(c, len(s) * len(r)))
+                surface_error(op, "weights", Surface(p, q, u, v, f.P, weigh(c, len(f.P), c.of(("ratio", "equal")))), s, r,
+                              control(c, len(s) * len(r)))
     f = surface(c, 2, clamped(2, []), 1, clamped(1, []))
     P = control(c, 6)
-    for what, args in (("a datum too few", ([0.0, 0.5, 1.0], [0.0, 1.0], P[:5])), ("no data", ([], [], [])), ("a parameter is NaN", ([0.0, NAN, 1.0], [0.0, 1.0], P)),
-                       ("a datum is infinite", ([0.0, 0.5, 1.0], [0.0, 1.0], [(INF, 0.0, 0.0)] + P[1:])), ("no parameters in v", ([0.0, 1.0], [], []))):
+    for what, args in (("a datum too few", ([0.0, 0.5, 1.0], [0.0, 1.0], P[:5])), ("no data", ([], [], [])),
+                       ("a parameter is NaN", ([0.0, NAN, 1.0], [0.0, 1.0], P)),
+                       ("a datum is infinite", ([0.0, 0.5, 1.0], [0.0, 1.0], [(INF, 0.0, 0.0)] + P[1:])), ("no parameters in v",
+                               ([0.0, 1.0], [], []))):
         surface_error(op, "bad_input", f, *args, comment=what)
     surface_error(op, "bad_input", Surface(2, 1, f.u, f.v, f.P, [-1.0] * 6), [0.0], [0.0], P[:1], comment="negative weights")
     surface_error(op, "bad_input", Surface(2, 1, f.u[::-1], f.v, f.P), [0.0], [0.0], P[:1], comment="knots decrease")
     surface_error(op, "degrees", surface(c, 0, [0.0, 1.0, 2.0], 1, clamped(1, [])), [0.5], [0.5], P[:1], comment="degree 0: may be refused")
-    surface_error(op, "size", surface(c, 2, clamped(2, [0.5]), 2, clamped(2, [0.5])), [k / 16.0 for k in range(17)], [k / 8.0 for k in range(9)], control(c, 153),
+    surface_error(op, "size", surface(c, 2, clamped(2, [0.5]), 2, clamped(2, [0.5])), [k / 16.0 for k in range(17)], [k / 8.0 for k in range(9)],
+                  control(c, 153),
                   comment="17 x 9 data")
     return op
 
@@ -479,7 +496,8 @@ def net_classes():
     n = 2**26
     op.add("size", [n, n, 1, n - 2, n - 2], VALID, [Count(nov(n, n))], [None], comment="the last class of all")
     op.add("size", [n, n, 1, n - 1, n - 1], VALID, [Count(n * n)], [None], comment="the last corner")
-    for args, what in (([1, 4, 0, 0, 0], "a side below 2"), ([4, 0, 0, 0, 0], "a side below 2"), ([4, 5, 2, 0, 0], "no such view"), ([4, 5, 0, 4, 0], "i is beyond the side"),
+    for args, what in (([1, 4, 0, 0, 0], "a side below 2"), ([4, 0, 0, 0, 0], "a side below 2"), ([4, 5, 2, 0, 0], "no such view"),
+                       ([4, 5, 0, 4, 0], "i is beyond the side"),
                        ([4, 5, 0, 0, 5], "j is beyond the side"), ([4, 5, 1, 9, 9], "both are beyond")):
         op.add("bad_input", args, INVALID, comment=what)
     op.add("size", [2**27, 2**27, 0, 1, 1], DEFINED, comment="counts beyond 2^53: may be refused")
@@ -505,7 +523,8 @@ def net_nodes():
     n = 2**26
     op.add("size", [n, n, nov(n, n)], VALID, [Count(1), Count(n - 2), Count(n - 2)], [None] * 3, comment="the last class of all")
     op.add("size", [n, n, n * n], VALID, [Count(0), Count(n - 1), Count(n - 1)], [None] * 3, comment="the last corner")
-    for args, what in (([4, 5, 0], "classes begin with 1"), ([4, 5, 27], "there are 26 classes"), ([1, 5, 1], "a side below 2"), ([4, 1, 1], "a side below 2"),
+    for args, what in (([4, 5, 0], "classes begin with 1"), ([4, 5, 27], "there are 26 classes"), ([1, 5, 1], "a side below 2"),
+                       ([4, 1, 1], "a side below 2"),
                        ([2, 2, 5], "there are 4 classes")):
         op.add("bad_input", args, INVALID, comment=what)
     op.add("size", [2**27, 2**27, 1], DEFINED, comment="counts beyond 2^53: may be refused")
@@ -531,7 +550,8 @@ def seam_gap(op, category, s, t, n, issue=None, comment=None):
         op.add(category, args, DEFINED, **more)
         return
     K, most, B = 16 * (s.p + s.q + 2) + 1, F(0), F(0)
-    places = [(x, y, (0, 1)) for y in samples_of(s.v, t.v, n) for x in (0.0, 1.0)] + [(x, y, (1, 0)) for x in samples_of(s.u, t.u, n) for y in (0.0, 1.0)]
+    places = [(x, y, (0, 1)) for y in samples_of(s.v, t.v, n) for x in (0.0, 1.0)] + [(x, y, (1, 0)) for x in samples_of(s.u, t.u, n) for y in (0.0,
+            1.0)]
     for x, y, along in places:
         at, V, W = [], F(0), F(0)
         for f in (s, t):
@@ -570,13 +590,15 @@ def seam_gaps():
                 seam_gap(op, "extreme_scale", surface(c, p, u, q, v, how), surface(c, p, u, q, v, how), 1, comment="coordinates: " + how)
     s = surface(c, 2, clamped(2, [0.5]), 1, clamped(1, []))
     seam_gap(op, "degenerate", s, s, 3, comment="one and the same surface: no gap")
-    seam_gap(op, "weights", hemisphere(), Surface(2, 2, hemisphere().u, hemisphere().v, [(x, y, -z) for x, y, z in hemisphere().P], hemisphere().w), 4,
+    seam_gap(op, "weights", hemisphere(), Surface(2, 2, hemisphere().u, hemisphere().v, [(x, y, -z) for x, y, z in hemisphere().P], hemisphere().w),
+             4,
              comment="two eighths of a sphere")
     seam_gap(op, "weights", cone(), cone(), 1, comment="a cone with itself")
     seam_gap(op, "degrees", s, surface(c, 1, clamped(1, [0.5]), 1, clamped(1, [])), 1, comment="different degrees: may be refused")
     wide = Surface(2, 1, [2 * x for x in s.u], s.v, s.P)
     seam_gap(op, "end_of_domain", s, wide, 1, comment="another domain: may be refused")
-    seam_gap(op, "end_of_domain", s, surface(c, 2, clamped(2, [0.25, 0.5]), 1, clamped(1, [])), 1, comment="different numbers of control points: may be refused")
+    seam_gap(op, "end_of_domain", s, surface(c, 2, clamped(2, [0.25, 0.5]), 1, clamped(1, [])), 1,
+             comment="different numbers of control points: may be refused")
     for value, what in ((NAN, "NaN"), (INF, "infinite")):
         seam_gap(op, "bad_input", s, Surface(2, 1, s.u, s.v, [(value, 0.0, 0.0)] + s.P[1:]), 1, comment="a coordinate is " + what)
         seam_gap(op, "bad_input", Surface(2, 1, s.u[:3] + [value] + s.u[4:], s.v, s.P), s, 1, comment="a knot is " + what)

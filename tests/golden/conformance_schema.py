@@ -1,8 +1,10 @@
-"""conformance_schema: a small validator for the part of JSON Schema (draft 2020-12) that golden/conformance/schema.json uses, and what a schema cannot say."""
+"""conformance_schema: a small validator for the part of JSON Schema (draft 2020-12) that golden/conformance/schema.json uses, and what a schema
+cannot say."""
 import json
 import re
 
-KNOWN = {"$schema", "$defs", "$ref", "title", "description", "type", "required", "additionalProperties", "properties", "const", "enum", "items", "minItems",
+KNOWN = {"$schema", "$defs", "$ref", "title", "description", "type", "required", "additionalProperties", "properties", "const", "enum", "items",
+         "minItems",
          "pattern", "minLength", "dependentRequired"}
 TYPES = {"object": dict, "array": list, "string": str}
 
@@ -99,8 +101,11 @@ def bites(schema_path):
     def document(**change):
         v = {k: x for k, x in {**good, **change}.items() if x is not None}
         return {"format": "etalon-conformance", "version": 1, "operation": "span", "vectors": [v]}
-    bad = [document(**c) for c in ({"id": "x"}, {"category": "other"}, {"validity": "good"}, {"request": None}, {"request": ""}, {"want": None}, {"want": []},
-                                   {"want": [1]}, {"want": ["1.5"]}, {"want": ["nan"]}, {"bound": ["-0x1p+0"]}, {"bound": None}, {"condition": None}, {"issue": "117"},
-                                   {"comment": ""}, {"more": "1"}, {"want_left": ["1"]}, {"bound_left": ["0x0p+0"]})]
-    bad += [{**document(), "version": 2}, {**document(), "version": True}, {**document(), "operation": "spam"}, {**document(), "vectors": []}, {**document(), "more": 1}, []]
+    changes = [{"id": "x"}, {"category": "other"}, {"validity": "good"}, {"request": None}, {"request": ""}, {"want": None}, {"want": []},
+               {"want": [1]},
+               {"want": ["1.5"]}, {"want": ["nan"]}, {"bound": ["-0x1p+0"]}, {"bound": None}, {"condition": None}, {"issue": "117"}, {"comment": ""},
+               {"more": "1"}, {"want_left": ["1"]}, {"bound_left": ["0x0p+0"]}]
+    bad = [document(**c) for c in changes]
+    bad += [{**document(), "version": 2}, {**document(), "version": True}, {**document(), "operation": "spam"}, {**document(), "vectors": []},
+            {**document(), "more": 1}, []]
     return not list(faults(document(), schema, schema)) and all(list(faults(d, schema, schema)) for d in bad)

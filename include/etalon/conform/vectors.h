@@ -14,9 +14,9 @@ typedef struct {
 } et_vector;
 typedef struct { et_vector *vector; size_t count; } et_vectors;
 
-/* All vectors of one file (docs/conformance.md, "Frozen vectors"; golden/conformance/schema.json).  ET_EFORMAT names file and vector: not JSON, another format or
- * version, an operation that there is not, a member missing, unknown or of another type, a request that is not one of the operation, numbers that are none, lists of
- * different lengths.  ET_EIO, ET_ENOMEM.  Freed by et_vectors_free; on failure *vectors is unchanged.
+/* All vectors of one file (docs/conformance.md, "Frozen vectors"; golden/conformance/schema.json).  ET_EFORMAT names file and vector: not JSON,
+ * another format or version, an operation that there is not, a member missing, unknown or of another type, a request that is not one of the
+ * operation, numbers that are none, lists of different lengths.  ET_EIO, ET_ENOMEM.  Freed by et_vectors_free; on failure *vectors is unchanged.
  * Golden: none (the files of golden/conformance are its golden files, and the tests read them all). */
 /*@ requires path:    path == \null || valid_read_string(path);
     requires message: message == \null || \valid(message);
