@@ -12,16 +12,16 @@
 /* What is nearer than 2^-40 of the control net's size is not looked at closer. */
 enum { NEGLIGIBLE = 40 };
 
-/* A search: bits of its balls, pieces at most, and the part 2^-close of the least square found that no piece may be below by.  The second one is made where
- * more bits may help; the last where the nearest points fill a curve across the parameters, which takes pieces without number to follow closely.  What was
- * found is kept. */
+/* A search: bits of its balls, pieces at most, and the part 2^-close of the least square found that no piece may be below by.  The first one looks
+ * everywhere, the second closely; the third is made where more bits may help; the last where the nearest points fill a curve across the parameters,
+ * which takes pieces without number to follow closely.  What was found is kept. */
 typedef struct {
     slong bits;
     size_t pieces;
     slong close;
 } pass;
-enum { PASSES = 4 };
-static const pass passes[PASSES] = {{EXACT_BITS, 1 << 12, 41}, {384, 1 << 12, 41}, {EXACT_BITS, 1 << 14, 21}, {EXACT_BITS, 1 << 16, 11}};
+enum { COARSE, CLOSE, BITS, PASSES = 5 };
+static const pass passes[PASSES] = {{EXACT_BITS, 1 << 12, 6}, {EXACT_BITS, 1 << 12, 41}, {384, 1 << 12, 41}, {EXACT_BITS, 1 << 14, 21}, {EXACT_BITS, 1 << 16, 11}};
 
 /* A curve is a surface of degree 0 in its second direction. */
 typedef struct {
@@ -612,7 +612,7 @@ static et_status nearest(double x[2], double *distance, double *lower, target *t
     target_init(t);
     set_tolerance(s.tolerance, t);
     span *spans = spans_of(&n, t);
-    for (size_t k = 0; k == 0 || (k < PASSES && unfinished(&s)) || (k == 1 && s.missing); k++) {
+    for (size_t k = COARSE; k <= CLOSE || (k < PASSES && unfinished(&s)) || (k == BITS && s.missing); k++) {
         s.bits = passes[k].bits;
         s.most = passes[k].pieces;
         s.close = passes[k].close;

@@ -132,6 +132,17 @@ static bool short_spans(const double *u, size_t nu, size_t p)
     return jumps || p == 0;
 }
 
+/* Weights of very different sizes. */
+static bool wide(const double *w, size_t n)
+{
+    double lo = HUGE_VAL, hi = 0.0;
+    for (size_t i = 0; w != NULL && i < n; i++) {
+        lo = fmin(lo, w[i]);
+        hi = fmax(hi, w[i]);
+    }
+    return hi > 0x1p20 * lo;
+}
+
 /* Clamped knots on [0,1], so that neighbouring parameters are close. */
 static bool draw_plain(gen *g, et_curve *c)
 {
@@ -340,7 +351,7 @@ verdict prop_exact_curve_nearest_coarse(gen *g)
 
 /* ---- surfaces ---- */
 
-/* One case in 10. */
+/* One case in 20. */
 verdict prop_exact_surface_nearest(gen *g)
 {
     et_surface s;
@@ -364,7 +375,16 @@ verdict prop_exact_surface_nearest(gen *g)
     bad.y = gen_upto(g, 1) ? NAN : HUGE_VAL;
     ok = ok && gen_check(g, et_exact_surface_nearest(x, &distance, &lower, &s, bad) == ET_EINVAL && x[0] == -6.0 && x[1] == -7.0 && distance == -8.0 && lower == -9.0,
                          "a point that is not finite");
-    ok = ok && gen_check(g, et_exact_surface_nearest(x, &distance, &lower, &s, P) == ET_OK, "status");
+    et_status status = et_exact_surface_nearest(x, &distance, &lower, &s, P);
+    if (ok && status == ET_ENOCONV && wide(s.weights, s.nu * s.nv)) {
+        gen_label(g, "undecided");                          /* where a weight outweighs all others a surface is almost a curve */
+        ok = gen_check(g, x[0] == -6.0 && x[1] == -7.0 && distance == -8.0 && lower == -9.0, "undecided, but changed");
+        fmpq_clear(q);
+        _fmpq_vec_clear(h, 4);
+        et_surface_free(&s);
+        return ok ? PASS : FAIL;
+    }
+    ok = ok && gen_check(g, status == ET_OK, "status");
     ok = ok && gen_check(g, s.u[s.p] <= x[0] && x[0] <= s.u[s.nu] && s.v[s.q] <= x[1] && x[1] <= s.v[s.nv], "(%a, %a) is outside", x[0], x[1]);
     if (ok) {
         surface_at(h, &s, x[0], x[1]);
