@@ -4,7 +4,7 @@
 
 /* How often the program is asked while a request is made small.  A crash costs a new start, hanging its whole time limit: of these there are so many in
  * the whole run. */
-enum { CALLS = 400, CALLS_CRASH = 40, ALL_CRASH = 400, CALLS_TIMEOUT = 6, ALL_TIMEOUT = 12 };
+enum { CALLS = 400, CALLS_ANEW = 60, CALLS_CRASH = 40, ALL_CRASH = 400, CALLS_TIMEOUT = 6, ALL_TIMEOUT = 12 };
 
 static int same_text(const char *a, const char *b)
 {
@@ -115,7 +115,7 @@ static size_t calls_for(const conform_run *run, et_verdict verdict)
         return run->calls[verdict] < ALL_TIMEOUT ? CALLS_TIMEOUT : 0;
     if (verdict == ET_VERDICT_CRASH)
         return run->calls[verdict] < ALL_CRASH ? CALLS_CRASH : 0;
-    return CALLS;
+    return verdict == ET_VERDICT_NONDETERMINISTIC ? CALLS_ANEW : CALLS;
 }
 
 /* What is told of the smallest request, if it fails once more. */

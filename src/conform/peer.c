@@ -13,8 +13,9 @@
 
 extern char **environ;
 
-/* Milliseconds between two looks at the clock, at the caller's wish to stop, and at the program's life; bytes read at once; starts in a row. */
-enum { SLICE = 50, CHUNK = 1 << 16, STARTS = 3 };
+/* Milliseconds between two looks at the clock, at the caller's wish to stop, and at the program's life; bytes read at once; starts in a row; time limits
+ * for a hello, before which interpreters and libraries are loaded. */
+enum { SLICE = 50, CHUNK = 1 << 16, STARTS = 3, PATIENCE = 2 };
 
 struct et_peer {
     et_peer_table table;                  /* answer is null for a program; its hello is the first one's */
@@ -69,10 +70,27 @@ static int set_attributes(posix_spawnattr_t *a)
            && posix_spawnattr_setpgroup(a, 0) == 0 && posix_spawnattr_setsigdefault(a, &defaults) == 0 && posix_spawnattr_setsigmask(a, &none) == 0;
 }
 
+/* 1 if the command is nothing but a program and its arguments: no operators, assignments or expansions, and not one of the shell's own words. */
+static int is_plain(const char *command)
+{
+    static const char *const own[] = { ".", ":", "alias", "bg", "break", "case", "cd", "command", "continue", "eval", "exec", "exit", "export", "fc", "fg",
+                                       "for", "hash", "if", "jobs", "local", "read", "readonly", "return", "set", "shift", "times", "trap", "type",
+                                       "ulimit", "umask", "unalias", "unset", "until", "wait", "while" };
+    const char *first = command + strspn(command, " \t");
+    const size_t length = strcspn(first, " \t");
+
+    if (length == 0 || strpbrk(command, ";&|<>()$`={}#!\n"))
+        return 0;
+    for (size_t k = 0; k < sizeof own / sizeof *own; k++)
+        if (strlen(own[k]) == length && memcmp(own[k], first, length) == 0)
+            return 0;
+    return 1;
+}
+
 /* What the shell is given.  A plain command takes the shell's place, so that nobody but it holds the pipes, and its end by a signal is seen. */
 static char *shell_command(const char *command)
 {
-    const char *before = strpbrk(command, ";&|<>()$`={}#!\n") ? "" : "exec ";
+    const char *before = is_plain(command) ? "exec " : "";
     const size_t length = strlen(before) + strlen(command) + 1;
     char *text = malloc(length);
 
@@ -301,7 +319,7 @@ static et_status exchange_lines(et_peer *peer, et_asked *how, exchange *e, et_me
         }
         *how = ET_ASKED_TIMEOUT;
         if (now() > e->until)
-            return et_status_fail(text, ET_OK, "no reply within %g seconds", peer->program.timeout);
+            return et_status_fail(text, ET_OK, "no reply within the time limit of %g seconds", peer->program.timeout);
         if ((status = et_task_step(peer->program.stop, 0, 0)) != ET_OK)
             return et_status_fail(text, status, "%s", et_status_text(status));
         if ((status = turn(peer, e, &open)) != ET_OK)
@@ -331,9 +349,9 @@ static et_status unasked(et_peer *peer, et_asked *how, et_message *text)
 }
 
 /* Ask a line; *line is the reply, without its end, in the peer's memory until take() frees it. */
-static et_status ask_line(et_peer *peer, et_asked *how, char **line, const char *request, size_t most, et_message *text)
+static et_status ask_line(et_peer *peer, et_asked *how, char **line, const char *request, size_t most, double seconds, et_message *text)
 {
-    exchange e = { request, strlen(request), 0, 0, most, now() + peer->program.timeout, 0 };
+    exchange e = { request, strlen(request), 0, 0, most, now() + seconds, 0 };
     et_status status = unasked(peer, how, text);
 
     if (status != ET_OK || *how != ET_ASKED_REPLY)
@@ -381,7 +399,7 @@ static et_status say_hello(et_peer *peer, et_asked *how, et_hello *hello, et_mes
     enum { MOST = 1 << 14 };
     siginfo_t info;
     char *line;
-    et_status status = ask_line(peer, how, &line, "0 hello 1\n", MOST, text);
+    et_status status = ask_line(peer, how, &line, "0 hello 1\n", MOST, PATIENCE * peer->program.timeout, text);
 
     if (status == ET_OK && *how == ET_ASKED_CRASH && peer->length == 0 && ended(peer, &info) && info.si_code == CLD_EXITED
         && (info.si_status == 126 || info.si_status == 127))
@@ -577,7 +595,7 @@ static et_status ask_program(et_peer *peer, et_asked *how, et_reply *reply, cons
         et_status_fail(text, status, "out of memory");
     if (status != ET_OK)
         return status;
-    status = ask_line(peer, how, &answer, line, reply_room(request), text);
+    status = ask_line(peer, how, &answer, line, reply_room(request), peer->program.timeout, text);
     free(line);
     if (status == ET_OK && *how == ET_ASKED_REPLY)
         status = read_reply(how, reply, answer, peer->asked, text);

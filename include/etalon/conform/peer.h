@@ -16,7 +16,7 @@ typedef enum { ET_ASKED_REPLY = 0, ET_ASKED_CRASH, ET_ASKED_TIMEOUT, ET_ASKED_GA
  * while a reply is waited for: another status than ET_OK ends the waiting. */
 typedef struct {
     const char *command;                  /* run by the shell in a process group of its own */
-    double timeout;                       /* seconds for each reply, that to hello, too */
+    double timeout;                       /* seconds for each reply; twice as many for that to hello */
     void (*trace)(void *context, char what, const char *text, size_t length);
     void *context;
     const et_task *stop;
