@@ -134,7 +134,7 @@ rows:
 golden-accept:
 	@sh tests/golden.sh accept $(BUILD)/golden
 asan:
-	@UBSAN_OPTIONS=print_stacktrace=1 $(MAKE) P=asan test
+	@UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) P=asan test
 valgrind: $(B)/check
 	@ET_RUNS=$${ET_RUNS:-20} OMP_NUM_THREADS=1 valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite $(B)/check
 audit: $(B)/libetalon.a
