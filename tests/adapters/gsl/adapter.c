@@ -64,8 +64,9 @@ static void basis_of(size_t p, const list *u, double x, size_t d)
     const size_t n = gsl_bspline_ncoeffs(w);
     gsl_matrix *D = gsl_matrix_alloc(n, d + 1);
     gsl_vector *N = gsl_vector_alloc(n);
-    if ((d == 0 ? gsl_bspline_eval(x, N, w) : gsl_bspline_deriv_eval(x, d, D, w)) != GSL_SUCCESS)
-        refuse("outside the domain");
+    const int status = d == 0 ? gsl_bspline_eval(x, N, w) : gsl_bspline_deriv_eval(x, d, D, w);
+    if (status != GSL_SUCCESS)
+        refuse(gsl_strerror(status));
     for (size_t k = 0; k <= d; k++)
         for (size_t i = 0; i < n; i++)
             put(d == 0 ? gsl_vector_get(N, i) : gsl_matrix_get(D, i, k));
