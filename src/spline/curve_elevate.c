@@ -99,7 +99,7 @@ static et_status elevate_once(curve_net *net)
     size_t p = net->p, nu = net->n + p + 1, n = curve_net_elevated(net->u, p, net->n, 1);
     double *row = et_size_array(p + 1, 2 * sizeof(double));
     curve_net t;
-    if (!row || curve_net_new(&t, p + 1, n, 0, net->lines, net->rational) != ET_OK) {
+    if (!row || curve_net_new(&t, p + 1, n, net->lines, net->rational) != ET_OK) {
         free(row);
         return ET_ENOMEM;
     }

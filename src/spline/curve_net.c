@@ -7,15 +7,15 @@
 
 /* ---- storage ---- */
 
-et_status curve_net_new(curve_net *net, size_t p, size_t n, size_t room, size_t lines, int rational)
+et_status curve_net_new(curve_net *net, size_t p, size_t n, size_t lines, int rational)
 {
     size_t count;
     /* So many points, and their knots, have been had by whoever calls. */
-    if (et_size_mul(&count, n + room, lines) != ET_OK) {
+    if (et_size_mul(&count, n, lines) != ET_OK) {
         return ET_ENOMEM;
     }
-    curve_net t = {p, n, lines, rational, 0, et_size_array(n + room + p + 1, sizeof(double)), et_size_array(count, sizeof(curve_point)),
-                   et_size_array(n + room, sizeof(size_t))};
+    curve_net t = {.p = p, .n = n, .lines = lines, .rational = rational, .u = et_size_array(n + p + 1, sizeof(double)),
+                   .h = et_size_array(count, sizeof(curve_point)), .from = et_size_array(n, sizeof(size_t))};
     if (!t.u || !t.h || !t.from) {
         curve_net_free(&t);
         return ET_ENOMEM;
@@ -29,13 +29,12 @@ void curve_net_free(curve_net *net)
     free(net->u);
     free(net->h);
     free(net->from);
-    *net = (curve_net){0, 0, 0, 0, 0, NULL, NULL, NULL};
 }
 
 /* The exponent of the greatest weight. */
 static int exponent_of(const curve_controls *c, size_t n, size_t lines)
 {
-    int exponent = 0;
+    int exponent;
     double most = 0.0;
     for (size_t i = 0; c->weights && i < n; i++) {
         for (size_t j = 0; j < lines; j++) {
@@ -48,10 +47,11 @@ static int exponent_of(const curve_controls *c, size_t n, size_t lines)
 
 et_status curve_net_load(curve_net *net, size_t p, size_t n, size_t room, size_t lines, const double *u, const curve_controls *c)
 {
-    et_status status = curve_net_new(net, p, n, room, lines, c->weights != NULL);
+    et_status status = curve_net_new(net, p, n + room, lines, c->weights != NULL);
     if (status != ET_OK) {
         return status;
     }
+    net->n = n;
     memcpy(net->u, u, (n + p + 1) * sizeof *u);
     net->exponent = exponent_of(c, n, lines);
     for (size_t i = 0; i < n; i++) {
@@ -140,7 +140,7 @@ void curve_net_insert(curve_net *net, double x, size_t times)
     if (times == 0) {
         return;
     }
-    size_t s = et_knots_multiplicity(net->u, net->n + net->p + 1, x), k = last_of(net->u, x);
+    size_t k = last_of(net->u, x), s = et_knots_multiplicity(net->u, k + 1, x);
     for (size_t t = 0; t < times; t++) {
         insert_once(net, k + t, s + t, x);
     }
@@ -150,7 +150,7 @@ void curve_net_insert(curve_net *net, double x, size_t times)
 
 int curve_net_removable(const double *u, size_t p, size_t n, double x)
 {
-    return u[p] < x && x < u[n] && et_knots_multiplicity(u, n + p + 1, x) > 0;
+    return u[p] < x && x < u[n] && et_knots_multiplicity(u, n, x) > 0;
 }
 
 static void fill(curve_net *to, const curve_net *net)
@@ -161,20 +161,17 @@ static void fill(curve_net *to, const curve_net *net)
     memcpy(to->from, net->from, net->n * sizeof *net->from);
 }
 
-/* sqrt(x^2 + y^2 + z^2); nothing over- or underflows that matters.  Infinite where a coordinate is infinite or not a number. */
+/* sqrt(x^2 + y^2 + z^2); nothing over- or underflows that matters.  Not a number where a coordinate is infinite or not a number. */
 static double length(double x, double y, double z)
 {
     double most = fmax(fabs(x), fmax(fabs(y), fabs(z)));
-    if (!isfinite(x) || !isfinite(y) || !isfinite(z)) {
-        return HUGE_VAL;
-    }
-    return most == 0.0 ? 0.0 : most * sqrt((x / most) * (x / most) + (y / most) * (y / most) + (z / most) * (z / most));
+    return most > 0.0 ? most * sqrt((x / most) * (x / most) + (y / most) * (y / most) + (z / most) * (z / most)) : fabs(x + y + z);
 }
 
 /* |w P - w' P'| + reach |w - w'|. */
 static double distance(curve_point a, curve_point b, double reach)
 {
-    return length(a.x - b.x, a.y - b.y, a.z - b.z) + (reach > 0.0 ? reach * fabs(a.w - b.w) : 0.0);
+    return length(a.x - b.x, a.y - b.y, a.z - b.z) + reach * fabs(a.w - b.w);
 }
 
 /* With the knot x in, P_i = a Q_i + b Q_{i-1}, a = (x - u_i)/(u_{i+p+1} - u_i) and b = 1 - a. */
@@ -222,37 +219,37 @@ static void drop(curve_net *net, size_t i, size_t knot)
 }
 
 /* The greatest of the lines' deviations: what the equation left over is not satisfied by, or, with none left over, by how much the two ways to the
- * middle point differ. */
+ * middle point differ.  Not a number where a point solved for is infinite: that goes on from each to the next. */
 static double deviation(const curve_net *net, size_t i, int odd, double x, double reach)
 {
     double most = 0.0;
-    shares s = odd ? shares_of(net, i, x) : (shares){0.0, 0.0};
+    shares s = shares_of(net, i, x);
     for (size_t j = 0; j < net->lines; j++) {
         const curve_point *h = net->h + i * net->lines + j;
         curve_point want = odd ? combine(s.a, h[net->lines], s.b, *(h - net->lines)) : h[net->lines];
         double d = distance(h[0], want, reach);
-        most = d > most ? d : most;
+        most = d <= most ? most : d;
+        if (!(d <= most)) {
+            break;
+        }
     }
     return most;
 }
 
-/* Finite, and weights positive. */
-static int sound(const curve_net *net)
+static int weights_positive(const curve_net *net)
 {
-    for (size_t k = 0; k < net->n * net->lines; k++) {
-        curve_point h = net->h[k];
-        if (!isfinite(h.x) || !isfinite(h.y) || !isfinite(h.z) || !isfinite(h.w) || (net->rational && !(h.w > 0.0))) {
-            return 0;
-        }
+    int positive = 1;
+    for (size_t k = 0; net->rational && k < net->n * net->lines; k++) {
+        positive = positive && net->h[k].w > 0.0;
     }
-    return 1;
+    return positive;
 }
 
 /* A5.8, one knot, the last of those equal to x: half of the equations are solved from the left, half from the right.  By how much the curve moves at
  * most; infinite where a weight would not be positive. */
 static double remove_once(curve_net *net, double x, double reach)
 {
-    size_t p = net->p, s = et_knots_multiplicity(net->u, net->n + p + 1, x), r = last_of(net->u, x);
+    size_t p = net->p, r = last_of(net->u, x), s = et_knots_multiplicity(net->u, r + 1, x);
     size_t equations = s <= p ? p + 1 - s : 0, half = equations / 2;
     for (size_t k = 0; k < half; k++) {
         solve_left(net, r - p + k, x);
@@ -263,7 +260,7 @@ static double remove_once(curve_net *net, double x, double reach)
     /* Of more than p + 1 equal knots this point's function is zero. */
     double d = s > p + 1 ? 0.0 : deviation(net, middle, odd, x, reach);
     drop(net, middle, r);
-    return sound(net) ? d : HUGE_VAL;
+    return weights_positive(net) ? d : HUGE_VAL;
 }
 
 /* With A = w C and errors e of A and w the curve moves by |e_A - C e_w| / (w + e_w), so by at most the tolerance if |e_A| + (|C| + tolerance) |e_w| is
@@ -290,12 +287,12 @@ static double least_weight(const curve_net *net)
 et_status curve_net_remove(curve_net *net, size_t *removed, double x, size_t times, double tolerance)
 {
     curve_net t;
-    size_t count = 0, s = et_knots_multiplicity(net->u, net->n + net->p + 1, x);
+    size_t count = 0;
     double left = tolerance * least_weight(net), reach = reach_of(net, tolerance);
-    if (curve_net_new(&t, net->p, net->n, 0, net->lines, net->rational) != ET_OK) {
+    if (curve_net_new(&t, net->p, net->n, net->lines, net->rational) != ET_OK) {
         return ET_ENOMEM;
     }
-    while (count < times && count < s) {
+    while (count < times && et_knots_multiplicity(net->u, net->n, x) > 0) {
         fill(&t, net);
         double d = remove_once(&t, x, reach);
         if (!(d <= left)) {

@@ -11,8 +11,8 @@ typedef struct { double x, y, z, w; } curve_point;
 /* `from` of a point that was computed. */
 #define CURVE_COMPUTED SIZE_MAX
 
-/* Point i of a line stands at h[i*lines + line], as (w x, w y, w z, w), the weights divided by 2^exponent, so that the greatest is from 1/2 to 1 and no
- * product overflows.  from[i]: of which control point of the curve that is edited point i is a copy, whose bits it keeps. */
+/* Point i of a line stands at h[i*lines + line], as (w x, w y, w z, w), the weights divided by 2^exponent, so that the greatest is from 1/2 to 1 and
+ * no product overflows.  from[i]: of which control point of the curve that is edited point i is a copy, whose bits it keeps. */
 typedef struct {
     size_t p, n, lines;
     int rational, exponent;
@@ -28,10 +28,11 @@ typedef struct {
     size_t step, across;
 } curve_controls;
 
-/* A net with storage for n + room points a line.  ET_ENOMEM. */
-et_status curve_net_new(curve_net *net, size_t p, size_t n, size_t room, size_t lines, int rational);
+/* A net of n points a line.  ET_ENOMEM. */
+et_status curve_net_new(curve_net *net, size_t p, size_t n, size_t lines, int rational);
 void curve_net_free(curve_net *net);
 
+/* With storage for `room` points a line more.  ET_ENOMEM. */
 et_status curve_net_load(curve_net *net, size_t p, size_t n, size_t room, size_t lines, const double *u, const curve_controls *c);
 
 /* Knots and control points of what net became; old: those it was loaded from. */

@@ -4,14 +4,14 @@
 #include "surface_parts.h"
 #include <math.h>
 
-/* Of one direction: the functions that are not zero, N; their derivatives times the span's width, which no scale of the knots lets overflow, dN; and
+/* Of one direction: the functions that are not zero, N; their derivatives times the span's width and over p, which no scale of the knots lets overflow, dN; and
  * the sums of the magnitudes of what those are made of, size.  One after the other in a workspace. */
 typedef struct {
     double *N, *dN, *size;
     size_t first, most;                   /* the first function, and the greatest of the p + 1 */
 } functions;
 
-/* Eq. 2.7: p N_{i,p-1}/(u_{i+p} - u_i) less the same of the next; each term has 6p - 1 roundings at most. */
+/* Eq. 2.7 without its factor p: N_{i,p-1}/(u_{i+p} - u_i) less the same of the next; each term has 6p - 1 roundings at most. */
 static void derivatives(functions *f, const double *u, size_t nu, size_t p, size_t span, double x, double *room, size_t nroom)
 {
     double width = u[span + 1] - u[span], before = 0.0;
@@ -21,7 +21,7 @@ static void derivatives(functions *f, const double *u, size_t nu, size_t p, size
     for (size_t r = 0; r <= p; r++) {
         /* The function of degree p - 1 that follows function r. */
         size_t i = span - p + r + 1;
-        double next = r < p ? f->dN[r] * (width / (u[i + p] - u[i])) * (double)p : 0.0;
+        double next = r < p ? f->dN[r] * (width / (u[i + p] - u[i])) : 0.0;
         f->dN[r] = before - next;
         f->size[r] = before + next;
         before = next;
@@ -63,12 +63,14 @@ static et_vec3 scaled(et_vec3 P, int exponent)
 static view view_of(const et_surface *s, const functions *f, const functions *g)
 {
     size_t first = f->first * s->nv + g->first;
-    view w = {s, s->points[first + f->most * s->nv + g->most], first, 0, 0};
+    view w = {.s = s, .origin = s->points[first + f->most * s->nv + g->most], .first = first};
     double most = 0.0, weight = 0.0;
     for (size_t k = 0; k < (s->p + 1) * (s->q + 1); k++) {
         size_t index = first + k / (s->q + 1) * s->nv + k % (s->q + 1);
         most = fmax(most, greatest(s->points[index]));
-        weight = fmax(weight, s->weights ? s->weights[index] : 1.0);
+        if (s->weights) {
+            weight = fmax(weight, s->weights[index]);
+        }
     }
     frexp(most, &w.exponent);
     frexp(weight, &w.weight);

@@ -47,15 +47,13 @@ size_t et_surface_partials_work(const et_surface *s, size_t d)
     if (d == SIZE_MAX || s->p == SIZE_MAX || s->q == SIZE_MAX) {
         return SIZE_MAX;
     }
-    size_t a = lesser(d, s->p) + 1, N = product(a, s->p + 1), M = product(lesser(d, s->q) + 1, s->q + 1), T = product(4 * (s->q + 1), a);
-    T = s->q > SIZE_MAX / 4 - 1 ? SIZE_MAX : T;
+    size_t a = lesser(d, s->p) + 1, N = product(a, s->p + 1), M = product(lesser(d, s->q) + 1, s->q + 1), T = product(product(a, s->q + 1), 4);
     return plus(plus(plus(N, M), plus(T, basis_room(s))), product(2, triangle(d + 1)));
 }
 
 static room divide(const et_surface *s, size_t p, size_t q, size_t d, double *work)
 {
-    room r;
-    r.N = work;
+    room r = {.N = work};
     r.M = r.N + (p + 1) * (s->p + 1);
     r.basis = r.M + (q + 1) * (s->q + 1);
     r.T = r.basis + basis_room(s);
@@ -94,16 +92,15 @@ static et_vec3 less(et_vec3 A, double a, et_vec3 S)
 static et_vec3 quotient(surface_point A, const et_vec3 *D, const room *r, const et_surface *s, size_t a, size_t b)
 {
     const double *Ca = r->binomial + triangle(a), *Cb = r->binomial + triangle(b);
-    size_t m = lesser(a, s->p), n = lesser(b, s->q);
     et_vec3 S = {A.x, A.y, A.z};
-    for (size_t i = 1; i <= m; i++) {
+    for (size_t i = 1; i <= a && i <= s->p; i++) {
         S = less(S, Ca[i] * r->w[place(i, 0)], D[place(a - i, b)]);
     }
-    for (size_t j = 1; j <= n; j++) {
+    for (size_t j = 1; j <= b && j <= s->q; j++) {
         S = less(S, Cb[j] * r->w[place(0, j)], D[place(a, b - j)]);
     }
-    for (size_t i = 1; i <= m; i++) {
-        for (size_t j = 1; j <= n; j++) {
+    for (size_t i = 1; i <= a && i <= s->p; i++) {
+        for (size_t j = 1; j <= b && j <= s->q; j++) {
             S = less(S, Ca[i] * Cb[j] * r->w[place(i, j)], D[place(a - i, b - j)]);
         }
     }

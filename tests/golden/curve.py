@@ -303,6 +303,10 @@ def more_edits(c):
             s = removable(c, p, [0.0] * (p + 1) + [1.0] * (p + 1), 0.5, times, weights) if times <= p else None
             if s:
                 remove_row(s, 0.5, times, "rational, editing, inserted before")
+    for p in (2, 3, 4):
+        u = [0.0] * (p + 1) + [2.0**-1000] + [2.0**900] * (p + 1)
+        s = Curve(p, u, [[float(c.upto(64) - 32) for _ in range(3)] for _ in range(p + 2)])
+        elevate_row(s, 1, "extreme scale, spans, editing, degree elevated")
     big, loose = [2.0**996 * t for t in [0.0] * 4 + [1.0] * 4], [float(k) for k in range(12)]
     for p, u, x, why in [(3, big, 2.0**994, "knots of 1e300"), (3, [0.0] * 4 + [2.0**-996] * 4, 2.0**-998, "knots of 1e-300"),
                          (3, loose, 3.0, "not clamped, at the left end"), (3, loose, 8.0, "not clamped, at the right end"), (3, loose, 4.5, "not clamped")]:
