@@ -137,7 +137,7 @@ static void surface_at(int ders, int normal)
         n = 3 * (d + 1) * (d + 2) / 2;
         D = room(n);
         s1422(t, (int)d, side[0] == LEFT ? -1 : 1, side[1] == LEFT ? -1 : 1, at, &left[0], &left[1], D, N, &status);
-        const double length = sqrt(N[0] * N[0] + N[1] * N[1] + N[2] * N[2]);
+        const double length = hypot(hypot(N[0], N[1]), N[2]);
         if (status < 0 || (normal && !(length > 0)))
             refuse("s1422 fails");
         for (size_t k = 0; k < 3 && normal; k++)
@@ -286,22 +286,34 @@ static int one_point(const list *P)
     return reals_good(&x);
 }
 
+static double apart(const double *a, const double *b)
+{
+    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
+
+/* s1953 finds all closest points, single ones and, as intervals, curves of them (s1957 is faster, but does not promise to find the right one). */
 static void curve_nearest(void)
 {
     curve c = take_curve();
     const list P = take_points();
     SISLCurve *s = make_curve(&c);
-    double x = 0, distance = 0;
-    int status = 0;
+    SISLIntcurve **intervals = NULL;
+    double *x = NULL, at[3], best = 0;
+    int points = 0, ncurves = 0, left = 0, status = 0;
 
     if (!s)
         return;
     if (one_point(&P)) {
-        s1957(s, P.x, 3, resolution, resolution, &x, &distance, &status);
-        if (status < 0)
-            refuse("s1957 fails");
-        put(x);
-        put(distance);
+        s1953(s, P.x, 3, resolution, resolution, &points, &x, &ncurves, &intervals, &status);
+        if (status < 0 || points + ncurves == 0)
+            refuse("s1953 finds nothing");
+        else
+            best = points > 0 ? x[0] : intervals[0]->epar1[0];
+        s1221(s, 0, best, &left, at, &status);
+        put(best);
+        put(apart(at, P.x));
+        free(x);
+        freeIntcrvlist(intervals, ncurves);
     }
     freeCurve(s);
 }
@@ -311,17 +323,24 @@ static void surface_nearest(void)
     surface s = take_surface();
     const list P = take_points();
     SISLSurf *t = make_surface(&s);
-    double x[2] = { 0, 0 }, distance = 0;
-    int status = 0;
+    SISLIntcurve **curves = NULL;
+    double *x = NULL, at[3], normal[3];
+    int points = 0, ncurves = 0, left[2] = { 0, 0 }, status = 0;
 
     if (!t)
         return;
     if (one_point(&P)) {
-        s1958(t, P.x, 3, resolution, resolution, x, &distance, &status);
-        if (status < 0)
-            refuse("s1958 fails");
-        put_all(x, 2);
-        put(distance);
+        s1954(t, P.x, 3, resolution, resolution, &points, &x, &ncurves, &curves, &status);
+        if (status < 0 || points + ncurves == 0)
+            refuse("s1954 finds nothing");
+        else {
+            double *best = points > 0 ? x : curves[0]->epar1;
+            s1421(t, 0, best, &left[0], &left[1], at, normal, &status);
+            put_all(best, 2);
+            put(apart(at, P.x));
+        }
+        free(x);
+        freeIntcrvlist(curves, ncurves);
     }
     freeSurf(t);
 }
