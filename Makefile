@@ -269,12 +269,15 @@ install: all $(B)/etalon.pc
 	for h in $$(cd include && find . -name '*.h'); do install -D -m 644 include/$$h $(DESTDIR)$(PREFIX)/include/$$h || exit; done
 	install -m 755 $(B)/etalon $(DESTDIR)$(PREFIX)/bin
 	$(if $(wildcard docs/etalon.1),install -m 644 docs/etalon.1 $(DESTDIR)$(PREFIX)/share/man/man1)
+	install -d $(DESTDIR)$(PREFIX)/share/etalon/conformance
+	install -m 644 $(wildcard golden/conformance/*.json) golden/LICENSE $(DESTDIR)$(PREFIX)/share/etalon/conformance
 $(B)/etalon.pc: src/etalon.pc.in Makefile
 	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@LIBS@|$(LIBS) $(OMP)|' $< > $@
 uninstall:
 	rm -rf $(DESTDIR)$(PREFIX)/include/etalon
 	rm -f $(DESTDIR)$(PREFIX)/lib/libetalon.a $(DESTDIR)$(PREFIX)/lib/pkgconfig/etalon.pc $(DESTDIR)$(PREFIX)/bin/etalon
 	rm -f $(DESTDIR)$(PREFIX)/share/man/man1/etalon.1
+	rm -rf $(DESTDIR)$(PREFIX)/share/etalon
 clean:
 	rm -rf $(BUILD)
 .PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits print-libs fuzz fuzz-min cover covering faults built check end-to-end mutants mutate mutants-self bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean
