@@ -146,6 +146,9 @@ class Unit:
         if kind == 'DeclStmt':
             return self.declaration(node)
         if kind == 'ReturnStmt':
+            core = bare(node['inner'][0]) if node.get('inner') else {}
+            if self.says_truth and core.get('value') == '1':
+                core['truth'] = True
             text = self.generic(node, self.expression)
             if tail and node.get('inner'):
                 return text
@@ -250,9 +253,11 @@ class Unit:
         else:
             v = int(core['value'])
             after = [str(v + 1)] if v == 0 else [str(v + 1), str(v - 1)]
+            if core.get('truth'):
+                after = ['0']
             if text in self.ownmacros:
                 after = [text + ' + 1', text + ' - 1']
-            made = ['%s + 1' % text] if v == 0 else ['%s + 1' % text, '%s - 1' % text]
+            made = ['0'] if core.get('truth') else ['%s + 1' % text] if v == 0 else ['%s + 1' % text, '%s - 1' % text]
         p = self.point(node, 'constant', [(text, x) for x in after])
         return '({ __auto_type o%d = %s; %s o%d; })' % (p, text, self.choose(p, 'o%d' % p, ['o%d' % p] + made), p)
 
@@ -463,11 +468,19 @@ class Unit:
             return False
         return ka == kb and (kind_of(a) != 'other' or '(' not in ka)
 
+    def only_truth(self, node):
+        """Every return is 0, 1 or a comparison: 2 for 1 is the same truth."""
+        if node.get('kind') == 'ReturnStmt':
+            core = bare(node['inner'][0])
+            return core['kind'] == 'IntegerLiteral' and core['value'] in '01' or core.get('opcode') in ('&&', '||', '!', *RELATIONS) or core['kind'] == 'CallExpr'
+        return all(self.only_truth(c) for c in node.get('inner', []) if c)
+
     def take_function(self, node):
         body = [c for c in node.get('inner', []) if c.get('kind') == 'CompoundStmt']
         if not body or not self.span(body[0]):
             return
         self.function = node['name']
+        self.says_truth = node['type']['qualType'].startswith('int (') and self.only_truth(body[0])
         a, b = self.span(body[0])
         self.pieces.append((a, b, self.statement(body[0], True)))
 

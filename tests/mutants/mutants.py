@@ -7,6 +7,7 @@ is there is not tried again unless the code or, for a survivor, a test has chang
 import argparse
 import collections
 import fnmatch
+import functools
 import hashlib
 import json
 import os
@@ -277,7 +278,7 @@ def watch(o, program, units, others, phase):
         raise SystemExit(130)
     for b in bad:
         print(b)
-    if bad:
+    if bad and not o.go_on:
         raise SystemExit('mutants: %d units of test fail without any mutant' % len(bad))
     return folder, digest(*[k + keys[k] for k in sorted(keys)])
 
@@ -345,7 +346,9 @@ def try_all(o, program, seen, tests, mutants, answers, path, phase):
         a = answers.get(m['name'], {}).get(phase)
         if phase != 'test' and killed(m, answers):
             continue
-        if not o.fresh and a and a['source'] == m['source'] and (a['how'] not in ALIVE or a['tests'] == tests):
+        if not o.fresh and a and a['source'] == m['source'] and (a['how'] not in ALIVE or a['tests'] == tests or o.keep):
+            continue
+        if o.unexplained and a and (explain(m, o.rules) or {}).get('kind') in SAME:
             continue
         todo.append(m)
     if not todo:
@@ -393,8 +396,12 @@ def try_all(o, program, seen, tests, mutants, answers, path, phase):
 
 # Telling.
 
+KINDS = 'equivalent', 'memory', 'speed', 'unreachable', 'open'
+SAME = KINDS[:-1]
+
+
 def load_explained(path):
-    """file:function, before -> after, optional #which; kind; reason."""
+    """Place (file:function, or file); before -> after, `...` for anything, #N for the N-th of its kind, or `NAME commutes`; kind; reason."""
     rules = []
     if os.path.exists(path):
         with open(path, encoding='utf-8') as f:
@@ -403,7 +410,7 @@ def load_explained(path):
                 if not line or line.startswith('#'):
                     continue
                 parts = line.split('\t')
-                if len(parts) != 4 or parts[2] not in ('equivalent', 'memory', 'speed', 'open'):
+                if len(parts) != 4 or parts[2] not in KINDS:
                     raise SystemExit('%s:%d: four columns: file:function, before -> after, kind, reason' % (path, n))
                 rules.append(dict(line=n, place=parts[0], change=parts[1], kind=parts[2], reason=parts[3], used=0))
     return rules
@@ -411,19 +418,32 @@ def load_explained(path):
 
 def explain(m, index):
     change = '%s -> %s' % (m['before'], m['after'])
+    swapped = re.sub(r'\(.*', ' commutes', m['before']) if m['operator'] == 'arguments' else change
     for place in ('%s:%s' % (m['file'], m['function']), m['file']):
-        for c in ('%s #%d' % (change, m['which']), change):
-            if (place, c) in index:
-                index[place, c]['used'] += 1
-                return index[place, c]
+        for r in index.get(place, []):
+            if r['change'] in ('%s #%d' % (change, m['which']), change, swapped) or '...' in r['change'] and wild(r['change']).fullmatch(change):
+                r['used'] += 1
+                return r
     return None
 
 
+@functools.lru_cache(None)
+def wild(change):
+    return re.compile('.*'.join(re.escape(p) for p in change.split('...')))
+
+
+def index_of(rules):
+    index = collections.defaultdict(list)
+    for r in rules:
+        index[r['place']].append(r)
+    return index
+
+
 def report(o, mutants, answers):
-    rules = load_explained(os.path.join(HERE, 'explained.tsv') if o.explained is None else o.explained)
-    index = {(r['place'], r['change']): r for r in rules}
+    rules = load_explained(o.explained)
+    index = index_of(rules)
     per_file = collections.OrderedDict()
-    counts, lines = collections.Counter(), []
+    counts, lines, told = collections.Counter(), [], []
     for m in mutants:
         a = answers.get(m['name'], {}).get('test')
         row = per_file.setdefault(m['file'], collections.Counter())
@@ -431,15 +451,54 @@ def report(o, mutants, answers):
         row['all'] += 1
         if how == 'alive':
             e = explain(m, index)
+            told.append((m, e))
             how = e['kind'] if e else 'unexplained'
             if how in ('unexplained', 'open') or o.verbose:
                 lines.append('%s:%d: %s: %s  ->  %s (%s)%s' % (m['file'], m['line'], m['function'], m['before'], m['after'], a['how'].replace('unreached', 'never differs'), ': ' + e['reason'] if e else ''))
         row[how] += 1
         counts[how] += 1
-    same = counts['equivalent'] + counts['memory'] + counts['speed']
+    same = sum(counts[k] for k in SAME)
     tried = len(mutants) - counts['untried']
     share = [100.0 * n / max(1, tried - same) for n in (counts['by test'], counts['by test'] + counts['by memory'] + counts['by asan'])]
-    return per_file, counts, lines, share, [r for r in rules if not r['used']]
+    return per_file, counts, lines, share, [r for r in rules if not r['used']], told
+
+
+def write_docs(path, o, mutants, answers, per_file, counts, share, told):
+    """The part of the page between its two marks."""
+    out = ['| file | mutants | killed by `make test` | by refused memory | by the sanitizers | equivalent | alive |', '|---|---|---|---|---|---|---|']
+    for f, c in list(per_file.items()) + [('all', counts)]:
+        out.append('| %s | %d | %d | %d | %d | %d | %d |' % (f, c['all'] if f != 'all' else len(mutants), c['by test'], c['by memory'], c['by asan'],
+                                                            sum(c[k] for k in SAME), c['open'] + c['unexplained']))
+    out += ['', 'Of those that are not equivalent `make test` kills %.1f %%, `make check` %.1f %%.' % tuple(share), '']
+    by = collections.defaultdict(collections.Counter)
+    for m in mutants:
+        phase = killed(m, answers)
+        by[m['operator']]['all'] += 1
+        by[m['operator']]['killed'] += bool(phase)
+    out += ['| operator | mutants | killed |', '|---|---|---|']
+    out += ['| %s | %d | %d |' % (k, v['all'], v['killed']) for k, v in sorted(by.items())]
+    out += ['', '## The survivors', '']
+    now = None
+    for m, rule in sorted(told, key=lambda t: (t[0]['file'], t[1]['line'] if t[1] else 0, t[0]['line'], t[0]['column'])):
+        if m['file'] != now:
+            now = m['file']
+            out += ['### %s' % now, '']
+            before = None
+        reason = '%s: %s' % (rule['kind'], rule['reason']) if rule else 'not explained'
+        if reason != before:
+            if before is not None:
+                out.append('')
+            out += ['%s' % reason, '']
+            before = reason
+        out.append('* %d, %s: `%s` -> `%s`' % (m['line'], m['function'], m['before'], m['after']))
+    text = read(path).decode()
+    head, rest = text.split('<!-- made by make mutants -->')
+    tail = rest.split('<!-- end of what make mutants made -->')[1]
+    lines = []
+    for line in out:
+        lines.append(line if not line.startswith('### ') or not lines or lines[-1] == '' else '\n' + line)
+    with open(path, 'w') as f:
+        f.write(head + '<!-- made by make mutants -->\n' + '\n'.join(lines) + '\n<!-- end of what make mutants made -->' + tail)
 
 
 def options():
@@ -457,10 +516,13 @@ def options():
     p.add_argument('--jobs', type=int, default=os.cpu_count() or 1)
     p.add_argument('--phases', default='test memory asan')
     p.add_argument('--fresh', action='store_true')
+    p.add_argument('--keep', action='store_true')
+    p.add_argument('--unexplained', action='store_true')
+    p.add_argument('--go-on', action='store_true')
     p.add_argument('--verbose', action='store_true')
     p.add_argument('--report', action='store_true')
     p.add_argument('--docs')
-    p.add_argument('--explained')
+    p.add_argument('--explained', default=os.path.join(HERE, 'explained.tsv'))
     p.add_argument('--tables', default=None)
     p.add_argument('--corpus', default=None)
     o = p.parse_args()
@@ -469,6 +531,7 @@ def options():
     o.tables = sorted(listed('golden', ends='.tsv')) if o.tables is None else o.tables.split()
     o.tables = [t for t in o.tables if os.path.dirname(t) == 'golden']
     o.corpus = sorted(os.path.join(d, f) for d, _, fs in os.walk('fuzz/corpus') for f in fs) if o.corpus is None else o.corpus.split()
+    o.rules = index_of(load_explained(o.explained))
     a, b = o.sample.split('/')
     o.sample = int(a), int(b)
     return o
@@ -502,14 +565,16 @@ def main():
                 watcher, others = (program, others) if phase == kind else build(o, units, kind)
                 seen[kind] = watch(o, watcher, units, others, kind)
             try_all(o, program, *seen[kind], chosen, answers, path, phase)
-    per_file, counts, lines, share, unused = report(o, chosen, answers)
+    per_file, counts, lines, share, unused, told = report(o, chosen, answers)
+    if o.docs:
+        write_docs(o.docs, o, chosen, answers, per_file, counts, share, told)
     for line in lines:
         print(line)
     print('%-30s %8s %8s %8s %8s %8s %8s' % ('file', 'mutants', 'killed', 'memory', 'asan', 'equal', 'alive'))
     for f, c in per_file.items():
-        print('%-30s %8d %8d %8d %8d %8d %8d' % (f, c['all'], c['by test'], c['by memory'], c['by asan'], c['equivalent'] + c['memory'] + c['speed'],
+        print('%-30s %8d %8d %8d %8d %8d %8d' % (f, c['all'], c['by test'], c['by memory'], c['by asan'], sum(c[k] for k in SAME),
                                                  c['open'] + c['unexplained']))
-    same = counts['equivalent'] + counts['memory'] + counts['speed']
+    same = sum(counts[k] for k in SAME)
     print('%d mutants: %d killed by make test, %d by refused memory, %d by the sanitizers, %d equivalent, %d known to be open, %d unexplained, %d not tried'
           % (len(chosen), counts['by test'], counts['by memory'], counts['by asan'], same, counts['open'], counts['unexplained'], counts['untried']))
     print('%.2f %% of those that are not equivalent are killed by make test, %.2f %% by make check' % tuple(share))

@@ -396,8 +396,9 @@ static void read_seen(unit *u, const char *folder)
     snprintf(path, sizeof path, "%s/%s.seen", folder, u->name);
     const int f = open(path, O_RDONLY);
     if (f < 0 || fstat(f, &s) != 0 || (size_t)s.st_size < sizeof head) {
-        fprintf(stderr, "run: %s is missing\n", path);
-        exit(2);
+        fprintf(stderr, "run: %s is missing: nobody asks this unit\n", path);
+        u->cases = 0;
+        return;
     }
     m = mmap(NULL, (size_t)s.st_size, PROT_READ, MAP_SHARED, f, 0);
     close(f);
@@ -603,7 +604,10 @@ int main(int argc, char **argv)
     if (getenv("ET_RUNS"))
         runs = (size_t)strtoull(getenv("ET_RUNS"), NULL, 0);
     if (getenv("ET_MOST"))
-        limits[STAGES - 1] = (size_t)strtoull(getenv("ET_MOST"), NULL, 0);
+        for (size_t i = 0; i < STAGES; i++) {
+            const size_t most = (size_t)strtoull(getenv("ET_MOST"), NULL, 0);
+            limits[i] = i + 1 == STAGES || limits[i] > most ? most : limits[i];
+        }
     if (argc > 1 && strcmp(argv[1], "--list") == 0) {
         for (size_t i = 0; i < nunits; i++)
             printf("%s\t%s\t%zu\n", units[i].name, units[i].module, units[i].cases);
