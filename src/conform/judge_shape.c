@@ -255,29 +255,27 @@ static double box(const judge_shape *f)
     return judge_length(side);
 }
 
-/* The knot put back, exactly: no point has moved further than a control point, weights apart. */
-static et_status moved_at_most(double *most, const removal *r, const judge_shape *got)
+/* The knot put back, exactly: no point of the curve has moved further than the control points about it, weights apart.  moved[i]: control point i. */
+static et_status moved_points(double *moved, const removal *r, const judge_shape *got)
 {
     judge_shape back = { .curve = got->curve };
-    const double *w = judge_shape_weights(&r->f);
+    const size_t n = judge_shape_size(&r->f);
+    const double *w = judge_shape_weights(&r->f), size = box(&r->f);
     const et_status status = got->curve ? et_exact_curve_insert(&back.c, &got->c, r->e.x, r->t)
                                         : et_exact_surface_insert(&back.s, &got->s, r->e.along, r->e.x, r->t);
-    double off = 0, worst = 0;
+    size_t heaviest = 0;
 
-    *most = INFINITY;
+    for (size_t i = 0; i < n; i++)
+        moved[i] = INFINITY;
     if (status != ET_OK)
         return status == ET_ENOMEM ? status : ET_OK;
-    const size_t n = judge_shape_size(&r->f);
     const double *b = judge_shape_weights(&back);
-    size_t heaviest = 0;
     for (size_t i = 0; w && i < n; i++)
         heaviest = w[i] > w[heaviest] ? i : heaviest;
     const double f = (b ? b[heaviest] : 1) / (w ? w[heaviest] : 1);
-    for (size_t i = 0; i < n; i++) {
-        worst = fmax(worst, et_vec3_distance(judge_shape_points(&back)[i], judge_shape_points(&r->f)[i]));
-        off = fmax(off, fabs((b ? b[i] : 1) / (f * (w ? w[i] : 1)) - 1));
-    }
-    *most = worst + 2 * off * box(&r->f);
+    for (size_t i = 0; i < n; i++)
+        moved[i] = et_vec3_distance(judge_shape_points(&back)[i], judge_shape_points(&r->f)[i])
+                 + judge_times(2 * fabs((b ? b[i] : 1) / (f * (w ? w[i] : 1)) - 1), size);
     judge_shape_free(&back);
     return ET_OK;
 }
@@ -305,78 +303,85 @@ static double sample(int *left, double a, double b, size_t i, size_t p)
     return i == 0 ? a : *left ? b : a + (b - a) * ((double)i / (double)(2 * p + 2));
 }
 
-/* Samples across, in all spans; a curve has one. */
-static et_status apart_across(double *most, const removal *r, const judge_shape *got, double x, int left)
+/* The other direction: of a curve one span of one function. */
+typedef struct { const double *t; size_t q, n; } across;
+
+static across across_of(const removal *r)
 {
     const int v = !r->f.curve && r->e.along == ET_ALONG_V;
-    const double *t = r->f.curve ? NULL : v ? r->f.s.u : r->f.s.v;
-    const size_t q = r->f.curve ? 0 : v ? r->f.s.p : r->f.s.q, n = r->f.curve ? 1 : v ? r->f.s.nu : r->f.s.nv;
+
+    if (r->f.curve)
+        return (across){ NULL, 0, 1 };
+    return v ? (across){ r->f.s.u, r->f.s.p, r->f.s.nu } : (across){ r->f.s.v, r->f.s.q, r->f.s.nv };
+}
+
+/* 1 if a control point of the span (k, l) has moved too far. */
+static int suspect(const removal *r, const across *a, const double *moved, size_t k, size_t l)
+{
+    const int v = !r->f.curve && r->e.along == ET_ALONG_V;
+
+    for (size_t i = k - r->p; i <= k; i++)
+        for (size_t j = l - a->q; j <= l; j++)
+            if (!(moved[v ? j * r->n + i : i * a->n + j] <= r->allowed))
+                return 1;
+    return 0;
+}
+
+/* The greatest distance at the samples of a span. */
+static et_status sample_span(double *most, const removal *r, const across *a, const judge_shape *got, size_t k, size_t l)
+{
+    const int v = !r->f.curve && r->e.along == ET_ALONG_V;
     et_status status = ET_OK;
 
-    for (size_t k = q; status == ET_OK && k < n; k++)
-        for (size_t i = 0; status == ET_OK && i <= (t ? 2 * q + 2 : 0); i++) {
-            int side[2] = { left, 0 };
-            double at[2] = { x, 0 }, d = 0;
-            if (t && !(t[k] < t[k + 1]))
-                continue;
-            if (t)
-                at[1] = sample(&side[1], t[k], t[k + 1], i, q);
-            if (v) {
-                const double y = at[0];
-                at[0] = at[1];
-                at[1] = y;
-                side[0] = side[1];
-                side[1] = left;
-            }
-            status = apart(&d, &r->f, got, at, side);
+    for (size_t i = 0; status == ET_OK && i <= 2 * r->p + 2; i++)
+        for (size_t j = 0; status == ET_OK && j <= (a->t ? 2 * a->q + 2 : 0); j++) {
+            int along, other = 0;
+            const double x = sample(&along, r->u[k], r->u[k + 1], i, r->p), y = a->t ? sample(&other, a->t[l], a->t[l + 1], j, a->q) : 0;
+            const double at[2] = { v ? y : x, v ? x : y };
+            const int left[2] = { v ? other : along, v ? along : other };
+            double d = 0;
+            status = apart(&d, &r->f, got, at, left);
             *most = fmax(*most, d);
         }
     return status;
 }
 
-/* The greatest distance seen at samples of the spans that removal touches. */
-static et_status moved_at_least(double *most, const removal *r, const judge_shape *got)
+/* The greatest distance seen in the spans where control points have moved too far, until one is proved. */
+static et_status moved_at_least(double *most, const removal *r, const judge_shape *got, const double *moved)
 {
+    const across a = across_of(r);
     et_status status = ET_OK;
 
     *most = 0;
-    for (size_t k = r->p; status == ET_OK && k < r->n; k++) {
-        const size_t before = k > r->p ? k - r->p : 0, behind = k + 1 + r->p < r->nu ? k + 1 + r->p : r->nu - 1;
-        if (!(r->u[k] < r->u[k + 1]) || r->u[before] > r->e.x || r->u[behind] < r->e.x)
-            continue;
-        for (size_t i = 0; status == ET_OK && i <= 2 * r->p + 2; i++) {
-            int left;
-            const double x = sample(&left, r->u[k], r->u[k + 1], i, r->p);
-            status = apart_across(most, r, got, x, left);
-        }
-    }
+    for (size_t k = r->p; status == ET_OK && k < r->n; k++)
+        for (size_t l = a.q; status == ET_OK && l < a.n && *most <= r->allowed + r->slack; l++)
+            if (r->u[k] < r->u[k + 1] && (!a.t || a.t[l] < a.t[l + 1]) && suspect(r, &a, moved, k, l))
+                status = sample_span(most, r, &a, got, k, l);
     return status == ET_ENOMEM ? status : ET_OK;
 }
 
-static et_status proofs(et_judgement *j, const removal *r, const judge_shape *got)
+static et_status proofs(et_judgement *j, const removal *r, const judge_shape *got, double *moved)
 {
-    double most, least;
-    et_status status = moved_at_most(&most, r, got);
+    double most = 0, least;
+    et_status status = moved_points(moved, r, got);
 
+    for (size_t i = 0; i < judge_shape_size(&r->f); i++)
+        most = fmax(most, isnan(moved[i]) ? INFINITY : moved[i]);
+    if (status != ET_OK)
+        return status;
     j->bound = r->allowed;
-    if (status != ET_OK)
-        return status;
     j->verdict = ET_VERDICT_WITHIN_BOUND;
-    if (most <= r->allowed) {
-        j->ratio = most > 0 ? most / r->allowed : 0;
+    j->ratio = most > 0 ? fmin(most / r->allowed, 1) : 0;
+    if (most <= r->allowed)
         return ET_OK;
-    }
-    status = moved_at_least(&least, r, got);
-    if (status != ET_OK)
-        return status;
-    j->ratio = 1;
-    if (least > r->allowed + r->slack) {
+    status = moved_at_least(&least, r, got, moved);
+    if (status == ET_OK && least > r->allowed + r->slack) {
         j->ratio = (least - r->e.tolerance) / r->slack;
         j->got = least;
         judge_say(j, j->ratio <= 0x1p20 ? ET_VERDICT_INACCURATE : ET_VERDICT_WRONG, "after removal a point is %.6g away, allowed are %.6g", least,
                   r->allowed);
     }
-    return ET_OK;
+    return status;
 }
 
 /* Whether it is, to the bit, the exact result. */
@@ -406,9 +411,13 @@ et_status judge_removal(et_judgement *j, const et_request *request, const et_tru
     status = read_shape(&got, reply, 1, r.f.curve);
     if (status != ET_OK)
         return no_shape(j, reply, status);
+    double *moved = et_size_array(judge_shape_size(&r.f), sizeof *moved);
     /* Where the tolerance is less than what rounding may cost, nobody can be sure that a knot goes. */
-    if (knots_left(j, &r, &got, r.e.tolerance >= r.slack ? (size_t)truth->want[0] : 0) && usable(j, &got))
-        status = proofs(j, &r, &got);
+    if (!moved)
+        status = ET_ENOMEM;
+    else if (knots_left(j, &r, &got, r.e.tolerance >= r.slack ? (size_t)truth->want[0] : 0) && usable(j, &got))
+        status = proofs(j, &r, &got, moved);
+    free(moved);
     judge_shape_free(&got);
     return status;
 }
