@@ -95,6 +95,8 @@ def fit_curve(r):
     if len(t) and t.min() < t.max():
         order = numpy.argsort(t, kind="stable")      # make_lsq_spline wants them ordered
         t, P = t[order], P[order]
+        if len(t) == len(P) and numpy.any(t[1:] == t[:-1]):
+            raise Unsupported("make_lsq_spline wants different parameters")
     return numpy.ravel(interpolate.make_lsq_spline(t, P, u, p).c)
 
 
