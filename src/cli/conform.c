@@ -217,7 +217,8 @@ static et_status conclude(conform_result *r, const choices *c, const cli_run *ru
     if (ended == ET_EIO)
         return et_status_fail(message, fresh ? ET_EDIFFER : ET_EIO, "%.900s", why.text);
     if (fresh > 0)
-        return et_status_fail(message, ET_EDIFFER, "%zu answers of %zu kinds are not right%s", requests, fresh, r->baseline ? " and not in the baseline" : "");
+        return et_status_fail(message, ET_EDIFFER, "%zu answers of %zu kinds are not right%s", requests, fresh,
+                              r->baseline ? " and not in the baseline" : "");
     return ET_OK;
 }
 
@@ -270,8 +271,8 @@ et_status cli_conform(int argc, char **argv, et_message *message)
     cli_option options[OWN + CLI_COMMON];
     conform_result r;
     const cli_help help = { "conform", "etalon conform --adapter COMMAND [options]",
-                            "Asks a program that speaks the conformance protocol (docs/conformance.md), judges each answer against the exact result, and tells\n"
-                            "each fault as the smallest request that shows it.",
+                            "Asks a program that speaks the conformance protocol (docs/conformance.md), judges each answer against the exact result,\n"
+                            "and tells each fault as the smallest request that shows it.",
                             "  etalon conform --adapter ./my_adapter\n"
                             "  etalon conform --adapter 'python3 my_adapter.py' --level 2 --ops curve_point,curve_insert --cases 5000\n"
                             "  etalon conform --adapter ./my_adapter --level 1 --junit out.xml --baseline known.json\n", 0, 0 };

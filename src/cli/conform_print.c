@@ -195,7 +195,8 @@ void conform_print(FILE *out, const conform_result *r)
         return;
     }
     fprintf(out, "%s %s, level %u, seed %llu: %zu requests, %zu of them refused rightly", conform_clean(name, r->hello.name),
-            conform_clean(version, r->hello.version), r->options.level, (unsigned long long)r->options.seed, r->report.asked, r->report.refused_rightly);
+            conform_clean(version, r->hello.version), r->options.level, (unsigned long long)r->options.seed, r->report.asked,
+            r->report.refused_rightly);
     fprintf(out, r->report.skipped ? "; %zu skipped, because of timeouts or crashes in a row, or undecided\n" : "\n", r->report.skipped);
     if (r->stopped)
         fprintf(out, "Interrupted: this is what was known then.\n");

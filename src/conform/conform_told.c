@@ -2,8 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How often the program is asked while a request is made small.  A crash costs a new start, hanging its whole time limit: of these there are so many in
- * the whole run. */
+/* How often the program is asked while a request is made small.  A crash costs a new start, hanging its whole time limit: of these there are so
+ * many in the whole run. */
 enum { CALLS = 400, CALLS_ANEW = 60, CALLS_CRASH = 40, ALL_CRASH = 400, CALLS_TIMEOUT = 6, ALL_TIMEOUT = 12 };
 
 static int same_text(const char *a, const char *b)
@@ -134,8 +134,8 @@ static et_status tell_shrunk(et_conform_finding *f, shrinking *s, const et_reque
     return status == ET_ENOCONV ? ET_OK : status;
 }
 
-/* The rows of crashes and timeouts are those of the run, not of the shrinking.  A fault that does not come again (it came from what was asked before) is
- * told as it is. */
+/* The rows of crashes and timeouts are those of the run, not of the shrinking.  A fault that does not come again (it came from what was asked
+ * before) is told as it is. */
 static et_status shrink(conform_run *run, et_conform_finding *f, const conform_case *c)
 {
     shrinking s = { run, c->judgement.verdict, ET_OK, c->category };

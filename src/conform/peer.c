@@ -13,8 +13,8 @@
 
 extern char **environ;
 
-/* Milliseconds between two looks at the clock, at the caller's wish to stop, and at the program's life; bytes read at once; starts in a row; time limits
- * for a hello, before which interpreters and libraries are loaded. */
+/* Milliseconds between two looks at the clock, at the caller's wish to stop, and at the program's life; bytes read at once; starts in a row; time
+ * limits for a hello, before which interpreters and libraries are loaded. */
 enum { SLICE = 50, CHUNK = 1 << 16, STARTS = 3, PATIENCE = 2 };
 
 struct et_peer {
@@ -73,7 +73,8 @@ static int set_attributes(posix_spawnattr_t *a)
 /* 1 if the command is nothing but a program and its arguments: no operators, assignments or expansions, and not one of the shell's own words. */
 static int is_plain(const char *command)
 {
-    static const char *const own[] = { ".", ":", "alias", "bg", "break", "case", "cd", "command", "continue", "eval", "exec", "exit", "export", "fc", "fg",
+    static const char *const own[] = { ".", ":", "alias", "bg", "break", "case", "cd", "command", "continue", "eval", "exec", "exit", "export", "fc",
+                                       "fg",
                                        "for", "hash", "if", "jobs", "local", "read", "readonly", "return", "set", "shift", "times", "trap", "type",
                                        "ulimit", "umask", "unalias", "unset", "until", "wait", "while" };
     const char *first = command + strspn(command, " \t");
@@ -114,7 +115,8 @@ static int spawn(pid_t *pid, const char *command, int in, int out)
         return error;
     if (posix_spawn_file_actions_init(&actions) == 0) {
         if (posix_spawnattr_init(&a) == 0) {
-            if (set_attributes(&a) && posix_spawn_file_actions_adddup2(&actions, in, 0) == 0 && posix_spawn_file_actions_adddup2(&actions, out, 1) == 0
+            if (set_attributes(&a) && posix_spawn_file_actions_adddup2(&actions, in, 0) == 0
+                && posix_spawn_file_actions_adddup2(&actions, out, 1) == 0
                 && posix_spawn_file_actions_addclose(&actions, in) == 0 && posix_spawn_file_actions_addclose(&actions, out) == 0)
                 error = posix_spawn(pid, "/bin/sh", &actions, &a, arguments, environ);
             posix_spawnattr_destroy(&a);

@@ -270,7 +270,8 @@ et_status et_reply_get_surface(et_surface *s, size_t *at, const et_reply *reply)
     if (reply->kind != ET_REPLY_OK || !get_count(&p, &here, reply) || !get_count(&q, &here, reply) || !get_reals(&u, &ku, 1, &here, reply)
         || !get_reals(&v, &kv, 1, &here, reply) || !get_reals(&x, &n, 3, &here, reply) || !get_reals(&w, &nw, 1, &here, reply))
         return ET_EFORMAT;
-    if (ku <= p || ku - p - 1 <= p || kv <= q || kv - q - 1 <= q || et_size_mul(&product, ku - p - 1, kv - q - 1) != ET_OK || product != n || (nw != 0 && nw != n))
+    if (ku <= p || ku - p - 1 <= p || kv <= q || kv - q - 1 <= q || et_size_mul(&product, ku - p - 1, kv - q - 1) != ET_OK || product != n
+        || (nw != 0 && nw != n))
         return ET_EFORMAT;
     const et_status status = et_surface_new(&made, p, q, ku - p - 1, kv - q - 1, nw != 0);
     if (status != ET_OK)

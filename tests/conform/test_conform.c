@@ -104,7 +104,8 @@ static bool told_rightly(gen *g, const et_conform_report *r, const et_conform_op
         ok = gen_check(g, et_judge_bad(f->judgement.verdict) && f->request && ++told[f->op][f->judgement.verdict] <= o->findings, "finding %zu", k);
         ok = ok && gen_check(g, r->count[f->op][f->category][f->judgement.verdict] > 0, "it is counted");
         ok = ok && gen_check(g, !f->shrunk || f->shrunk_judgement.verdict == f->judgement.verdict, "made small, it is the same fault");
-        ok = ok && gen_check(g, how == FORGETS || how == DECLINES || (f->shrunk && strlen(f->shrunk) <= strlen(f->request) + 8), "'%s', not smaller than '%s'",
+        ok = ok && gen_check(g, how == FORGETS || how == DECLINES || (f->shrunk && strlen(f->shrunk) <= strlen(f->request) + 8),
+                             "'%s', not smaller than '%s'",
                              f->shrunk ? f->shrunk : "", f->request);
     }
     return ok;
@@ -114,7 +115,8 @@ static bool told_rightly(gen *g, const et_conform_report *r, const et_conform_op
 verdict prop_conform_run(gen *g)
 {
     static const et_verdict bad[CONDUCTS] = { ET_VERDICT_CORRECTLY_ROUNDED, ET_VERDICT_WRONG, ET_VERDICT_NON_FINITE, ET_VERDICT_WRONGLY_REFUSED,
-                                              ET_VERDICT_WRONGLY_ACCEPTED, ET_VERDICT_WRONGLY_REFUSED, ET_VERDICT_NONDETERMINISTIC, ET_VERDICT_WRONG };
+                                              ET_VERDICT_WRONGLY_ACCEPTED, ET_VERDICT_WRONGLY_REFUSED, ET_VERDICT_NONDETERMINISTIC,
+                                                  ET_VERDICT_WRONG };
     const conduct how = (conduct)gen_upto(g, CONDUCTS - 1);
     const size_t first = (size_t)gen_upto(g, 4), second = (size_t)gen_upto(g, 4);
     context c = { how, cheap[first], 0, 0 };
@@ -137,7 +139,8 @@ verdict prop_conform_run(gen *g)
     else
         ok = ok && gen_check(g, count_of(&r, c.op, bad[how]) > 0 || how == NAN_ALWAYS, "the fault %d is found", (int)how);
     if (how == OFF_BY_ONE || how == TOO_MANY)
-        ok = ok && gen_check(g, bad_of(&r) >= r.asked / 8 && (first == second || count_of(&r, cheap[second], ET_VERDICT_WRONG) == 0), "and nowhere else");
+        ok = ok && gen_check(g, bad_of(&r) >= r.asked / 8 && (first == second || count_of(&r, cheap[second], ET_VERDICT_WRONG) == 0),
+                             "and nowhere else");
     ok = ok && told_rightly(g, &r, &o, how);
     et_conform_free(&r);
     et_peer_stop(peer);
@@ -164,7 +167,8 @@ verdict prop_conform_run_again(gen *g)
     ok = ok && gen_check(g, memcmp(r[0].count, r[1].count, sizeof r[0].count) == 0 && r[0].findings == r[1].findings, "the same");
     for (size_t k = 0; ok && k < r[0].findings; k++)
         ok = gen_check(g, strcmp(r[0].finding[k].request, r[1].finding[k].request) == 0, "finding %zu", k);
-    ok = ok && gen_check(g, r[2].asked + count_of(&r[2], cheap[first], ET_VERDICT_UNSUPPORTED) >= r[0].asked + o.cases, "%zu, then %zu", r[0].asked, r[2].asked);
+    ok = ok && gen_check(g, r[2].asked + count_of(&r[2], cheap[first], ET_VERDICT_UNSUPPORTED) >= r[0].asked + o.cases, "%zu, then %zu", r[0].asked,
+                         r[2].asked);
     for (int k = 0; k < 3; k++)
         et_conform_free(&r[k]);
     return ok ? PASS : FAIL;

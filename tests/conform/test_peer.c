@@ -67,9 +67,11 @@ verdict prop_peer_start(gen *g)
     et_asked how = ET_ASKED_REPLY;
     et_message message = { "" };
     const et_status status = begin(&peer, &how, starts[k].command, starts[k].timeout, &message);
-    bool ok = gen_check(g, status == starts[k].status, "%s: status %d, not %d: %s", starts[k].command, (int)status, (int)starts[k].status, message.text);
+    bool ok = gen_check(g, status == starts[k].status, "%s: status %d, not %d: %s", starts[k].command, (int)status, (int)starts[k].status,
+                        message.text);
     ok = ok && gen_check(g, status != ET_EFORMAT || how == starts[k].how, "%s: how %d, not %d", starts[k].command, (int)how, (int)starts[k].how);
-    ok = ok && gen_check(g, strstr(message.text, starts[k].says) != NULL, "%s: '%s' does not say '%s'", starts[k].command, message.text, starts[k].says);
+    ok = ok && gen_check(g, strstr(message.text, starts[k].says) != NULL, "%s: '%s' does not say '%s'", starts[k].command, message.text,
+                         starts[k].says);
     ok = ok && gen_check(g, (status == ET_OK) == (peer != NULL), "a peer only where it began");
     et_peer_stop(peer);
     return ok ? PASS : FAIL;
@@ -98,7 +100,8 @@ verdict prop_peer_ask(gen *g)
         ok = gen_check(g, et_peer_ask(peer, &how, &reply, &request, &message) == ET_OK, "%s: %s", c->answer, message.text);
         ok = ok && gen_check(g, how == c->how, "%s: how %d, not %d: %s", c->answer, (int)how, (int)c->how, message.text);
         if (ok && how == ET_ASKED_REPLY)
-            ok = gen_check(g, reply.kind != ET_REPLY_OK || (reply.count == 3 && reply.x[0] == 1 && reply.x[1] == 2 && reply.x[2] == 3), "%s: the reply", c->answer);
+            ok = gen_check(g, reply.kind != ET_REPLY_OK || (reply.count == 3 && reply.x[0] == 1 && reply.x[1] == 2 && reply.x[2] == 3),
+                           "%s: the reply", c->answer);
         else
             ok = ok && gen_check(g, memcmp(&reply, &was, sizeof reply) == 0 && strstr(message.text, c->says), "%s: '%s'", c->answer, message.text);
         et_reply_free(&reply);
@@ -159,7 +162,8 @@ static bool number_of(gen *g, et_peer *peer, pid_t *pid)
     memset(&reply, 0, sizeof reply);
     if (!make_request(g, &request))
         return false;
-    bool ok = gen_check(g, et_peer_ask(peer, &how, &reply, &request, NULL) == ET_OK && how == ET_ASKED_REPLY && reply.count == 1, "it answers its number");
+    bool ok = gen_check(g, et_peer_ask(peer, &how, &reply, &request, NULL) == ET_OK && how == ET_ASKED_REPLY && reply.count == 1,
+                        "it answers its number");
     if (ok)
         *pid = (pid_t)reply.x[0];
     et_reply_free(&reply);
@@ -208,7 +212,8 @@ verdict prop_peer_kill(gen *g)
     memset(&reply, 0, sizeof reply);
     if (ok && make_request(g, &request)) {
         et_peer_kill(peer);
-        ok = gen_check(g, et_peer_ask(peer, &how, &reply, &request, &message) == ET_OK && how == ET_ASKED_CRASH, "a killed one has crashed: %s", message.text);
+        ok = gen_check(g, et_peer_ask(peer, &how, &reply, &request, &message) == ET_OK && how == ET_ASKED_CRASH, "a killed one has crashed: %s",
+                       message.text);
         et_request_free(&request);
     }
     ok = ok && number_of(g, peer, &second) && gen_check(g, first != second, "and is started again");
@@ -229,7 +234,8 @@ verdict prop_peer_hello(gen *g)
     bool ok = gen_check(g, begin(&peer, &how, command, 60, &message) == ET_OK, "%s", message.text);
     if (ok) {
         const et_hello *h = et_peer_hello(peer);
-        ok = gen_check(g, strcmp(h->name, "sh") == 0 && h->degree == degree && h->op[ET_OP_SPAN] && h->op[ET_OP_NET_COUNTS] && !h->op[ET_OP_BASIS], "what it said");
+        ok = gen_check(g, strcmp(h->name, "sh") == 0 && h->degree == degree && h->op[ET_OP_SPAN] && h->op[ET_OP_NET_COUNTS] && !h->op[ET_OP_BASIS],
+                       "what it said");
     }
     et_peer_stop(peer);
     return ok ? PASS : FAIL;

@@ -105,7 +105,8 @@ verdict prop_reply_parse(gen *g)
     was = read;
     got = 7;
     snprintf(line, sizeof line, "%" PRIu64 " ok 1 2 %s", id, gen_upto(g, 1) ? "x" : "0x");
-    ok = ok && gen_check(g, et_reply_parse(&read, &got, line, &message) == ET_EFORMAT && message.text[0] && got == 7 && memcmp(&read, &was, sizeof read) == 0,
+    ok = ok && gen_check(g, et_reply_parse(&read, &got, line, &message) == ET_EFORMAT && message.text[0] && got == 7
+                         && memcmp(&read, &was, sizeof read) == 0,
                          "'%s' is none, and nothing changes", line);
     ok = ok && gen_check(g, et_reply_parse(&read, &got, "", NULL) == ET_EFORMAT && got == 7, "an empty line");
     et_reply_free(&r);
@@ -183,7 +184,8 @@ verdict prop_reply_put(gen *g)
         ok = gen_check(g, same_real(r.x[i], i < n ? x[i] : y[i - n]), "number %zu", i);
     was = r;
     ok = ok && gen_check(g, et_reply_put(&r, NULL, 0) == ET_OK && memcmp(&r, &was, sizeof r) == 0, "nothing");
-    ok = ok && gen_check(g, et_reply_put(&r, x, SIZE_MAX) == ET_ENOMEM && et_reply_put(&r, x, SIZE_MAX / 8) == ET_ENOMEM && memcmp(&r, &was, sizeof r) == 0,
+    ok = ok && gen_check(g, et_reply_put(&r, x, SIZE_MAX) == ET_ENOMEM && et_reply_put(&r, x, SIZE_MAX / 8) == ET_ENOMEM
+                         && memcmp(&r, &was, sizeof r) == 0,
                          "more than there is");
     et_reply_free(&r);
     return ok ? PASS : FAIL;
@@ -222,7 +224,8 @@ static bool same_reals(const double *a, const double *b, size_t n)
 
 static bool same_curve(const et_curve *a, const et_curve *b)
 {
-    return a->p == b->p && a->n == b->n && !a->weights == !b->weights && same_reals(a->u, b->u, a->n + a->p + 1) && same_points(a->points, b->points, a->n)
+    return a->p == b->p && a->n == b->n && !a->weights == !b->weights && same_reals(a->u, b->u, a->n + a->p + 1)
+        && same_points(a->points, b->points, a->n)
            && (!a->weights || same_reals(a->weights, b->weights, a->n));
 }
 
@@ -244,7 +247,8 @@ verdict prop_reply_put_curve(gen *g)
     k += 2 + nu;
     ok = ok && gen_check(g, r.x[k] == (double)c.n && r.x[k + 3 * c.n + 1] == (double)nw, "counts of points and weights");
     for (size_t i = 0; ok && i < c.n; i++)
-        ok = gen_check(g, same_real(r.x[k + 1 + 3 * i], c.points[i].x) && same_real(r.x[k + 2 + 3 * i], c.points[i].y) && same_real(r.x[k + 3 + 3 * i], c.points[i].z),
+        ok = gen_check(g, same_real(r.x[k + 1 + 3 * i], c.points[i].x) && same_real(r.x[k + 2 + 3 * i], c.points[i].y)
+                       && same_real(r.x[k + 3 + 3 * i], c.points[i].z),
                        "point %zu", i);
     ok = ok && gen_check(g, nw == 0 || same_reals(r.x + r.count - nw, c.weights, nw), "weights");
     et_curve_free(&c);
@@ -315,7 +319,8 @@ static bool same_surface(const et_surface *a, const et_surface *b)
     const size_t n = a->nu * a->nv;
 
     return a->p == b->p && a->q == b->q && a->nu == b->nu && a->nv == b->nv && !a->weights == !b->weights && same_reals(a->u, b->u, a->nu + a->p + 1)
-           && same_reals(a->v, b->v, a->nv + a->q + 1) && same_points(a->points, b->points, n) && (!a->weights || same_reals(a->weights, b->weights, n));
+           && same_reals(a->v, b->v, a->nv + a->q + 1) && same_points(a->points, b->points, n) && (!a->weights
+                                                                                                   || same_reals(a->weights, b->weights, n));
 }
 
 verdict prop_reply_put_surface(gen *g)
@@ -328,7 +333,8 @@ verdict prop_reply_put_surface(gen *g)
         return FAIL;
     const size_t ku = s.nu + s.p + 1, kv = s.nv + s.q + 1, n = s.nu * s.nv, nw = s.weights ? n : 0;
     bool ok = gen_check(g, et_reply_put_surface(&r, &s) == ET_OK && r.count == 6 + ku + kv + 3 * n + nw, "%zu numbers", r.count);
-    ok = ok && gen_check(g, r.x[0] == (double)s.p && r.x[1] == (double)s.q && r.x[2] == (double)ku && same_reals(r.x + 3, s.u, ku), "degrees and knots");
+    ok = ok && gen_check(g, r.x[0] == (double)s.p && r.x[1] == (double)s.q && r.x[2] == (double)ku && same_reals(r.x + 3, s.u, ku),
+                         "degrees and knots");
     ok = ok && gen_check(g, r.x[3 + ku] == (double)kv && same_reals(r.x + 4 + ku, s.v, kv) && r.x[4 + ku + kv] == (double)n, "knots and points");
     for (size_t i = 0; ok && i < n; i++)
         ok = gen_check(g, same_real(r.x[5 + ku + kv + 3 * i], s.points[i].x) && same_real(r.x[7 + ku + kv + 3 * i], s.points[i].z), "point %zu", i);
@@ -367,7 +373,8 @@ verdict prop_reply_get_surface(gen *g)
     }
     /* A degree may be one more where the number of points happens to fit: then what is got is a surface. */
     const et_status status = ok ? et_reply_get_surface(&got, &at, &r) : ET_EFORMAT;
-    ok = ok && gen_check(g, status == ET_EFORMAT ? at == 0 && memcmp(&got, &was, sizeof got) == 0 : got.nu * got.nv == s.nu * s.nv && got.nu > got.p && got.nv > got.q,
+    ok = ok && gen_check(g, status == ET_EFORMAT ? at == 0 && memcmp(&got, &was, sizeof got) == 0 : got.nu * got.nv == s.nu * s.nv && got.nu > got.p
+                         && got.nv > got.q,
                          "altered at %zu", k);
     ok = ok && gen_check(g, status == ET_EFORMAT || k < 2, "altered at %zu: no surface", k);
     if (status == ET_OK)
@@ -456,8 +463,10 @@ verdict prop_reply_hello(gen *g)
     for (int op = 0; ok && op < ET_OPS; op++)
         ok = gen_check(g, h.op[op] == (op == ET_OP_SPAN || op == ET_OP_KNOTS), "operation %d", op);
     const bool told = limits && gap < 4, sided = sides && gap < 4;
-    ok = ok && gen_check(g, h.degree == (told ? degree : SIZE_MAX) && h.order == (told ? order : 3) && h.rational == (told && rational), "limits of '%s'", line);
-    ok = ok && gen_check(g, h.any == (sided ? (int)(sides & 1) : 1) && h.left == (sided && sides & 2) && h.right == (sided && sides & 4), "sides of '%s'", line);
+    ok = ok && gen_check(g, h.degree == (told ? degree : SIZE_MAX) && h.order == (told ? order : 3) && h.rational == (told && rational),
+                         "limits of '%s'", line);
+    ok = ok && gen_check(g, h.any == (sided ? (int)(sides & 1) : 1) && h.left == (sided && sides & 2) && h.right == (sided && sides & 4),
+                         "sides of '%s'", line);
     return ok && gen_check(g, h.knot_tolerance == 0, "no tolerance") ? PASS : FAIL;
 }
 
@@ -525,7 +534,8 @@ verdict gold_reply_print(const row *r)
     et_reply reply;
     et_status status;
     uint64_t id;
-    bool ok = read_row(&status, &reply, &id, r, 0, r->nargs) && status == ET_OK && et_reply_print(&printed, id, &reply) == ET_OK && strlen(printed) == r->nwant;
+    bool ok = read_row(&status, &reply, &id, r, 0, r->nargs) && status == ET_OK && et_reply_print(&printed, id, &reply) == ET_OK
+        && strlen(printed) == r->nwant;
 
     for (size_t i = 0; ok && i < r->nwant; i++)
         ok = row_is_size(r, i, (size_t)(unsigned char)printed[i]);
@@ -543,7 +553,8 @@ verdict gold_reply_same(const row *r)
 
     while (bar < r->nargs && strcmp(r->arg[bar], "|") != 0)
         bar++;
-    bool ok = read_row(&status[0], &a, &id, r, 0, bar) && read_row(&status[1], &b, &id, r, bar + 1, r->nargs) && status[0] == ET_OK && status[1] == ET_OK
+    bool ok = read_row(&status[0], &a, &id, r, 0, bar) && read_row(&status[1], &b, &id, r, bar + 1, r->nargs) && status[0] == ET_OK
+        && status[1] == ET_OK
               && row_is_size(r, 0, (size_t)et_reply_same(&a, &b));
     et_reply_free(&a);
     et_reply_free(&b);
@@ -569,5 +580,6 @@ verdict gold_reply_hello(const row *r)
     ok = ok && row_is_size(r, 2, h.order);
     for (size_t k = 0; ok && k < 4; k++)
         ok = row_is_size(r, 3 + k, (size_t)flags[k]);
-    return ok && row_is(r, 7, h.knot_tolerance) && row_is_size(r, 8, h.unknown) && row_is_size(r, 9, (size_t)bits[0]) && row_is_size(r, 10, (size_t)bits[1]) ? PASS : FAIL;
+    return ok && row_is(r, 7, h.knot_tolerance) && row_is_size(r, 8, h.unknown) && row_is_size(r, 9, (size_t)bits[0])
+        && row_is_size(r, 10, (size_t)bits[1]) ? PASS : FAIL;
 }

@@ -12,7 +12,8 @@ enum { LINE = 1 << 14 };
 /* Any double at all; simple ones come often. */
 static double any_real(gen *g)
 {
-    static const double hard[] = { 0.0, -0.0, 1.0, INFINITY, -INFINITY, NAN, 0x1p-1074, -0x1.fffffffffffffp-1023, 0x1p-1022, 0x1.fffffffffffffp1023, 0.1 };
+    static const double hard[] = { 0.0, -0.0, 1.0, INFINITY, -INFINITY, NAN, 0x1p-1074, -0x1.fffffffffffffp-1023, 0x1p-1022, 0x1.fffffffffffffp1023,
+                                   0.1 };
     const uint64_t kind = gen_upto(g, 3);
     uint64_t bits;
     double x;
@@ -55,7 +56,8 @@ static bool draw(gen *g, et_request *r)
     for (size_t k = 0; ok && (shape = et_request_argument(op, k)) != NULL; k++) {
         double x[36];
         const size_t count = shape->kind == ET_ARG_WORD ? (size_t)gen_upto(g, words_of(shape) - 1)
-                             : shape->kind == ET_ARG_COUNT && gen_chance(g, 4) ? (size_t)gen_upto(g, UINT64_C(1) << 53) & SIZE_MAX : (size_t)gen_upto(g, 12);
+                             : shape->kind == ET_ARG_COUNT && gen_chance(g, 4) ? (size_t)gen_upto(g, UINT64_C(1) << 53) & SIZE_MAX
+                                 : (size_t)gen_upto(g, 12);
         for (size_t i = 0; i < reals_of(shape, count); i++)
             x[i] = any_real(g);
         ok = et_request_set(r, k, count, x) == ET_OK;
@@ -210,7 +212,8 @@ verdict prop_request_set(gen *g)
     for (size_t i = 0; i < 9; i++)
         x[i] = any_real(g);
     was = r;
-    bool ok = gen_check(g, et_request_set(&r, n, 0, x) == ET_EINVAL && et_request_set(&r, SIZE_MAX, 0, x) == ET_EINVAL && untouched(&r, &was), "past the last");
+    bool ok = gen_check(g, et_request_set(&r, n, 0, x) == ET_EINVAL && et_request_set(&r, SIZE_MAX, 0, x) == ET_EINVAL && untouched(&r, &was),
+                        "past the last");
     if (shape->kind == ET_ARG_WORD) {
         ok = ok && gen_check(g, et_request_set(&r, k, words_of(shape), NULL) == ET_EINVAL && untouched(&r, &was), "no such word");
         ok = ok && gen_check(g, et_request_set(&r, k, words_of(shape) - 1, NULL) == ET_OK && r.arg[k].count == words_of(shape) - 1, "the last word");
@@ -298,7 +301,8 @@ verdict prop_request_parse(gen *g)
     was = read;
     write_line(g, line, &r, false);
     strcat(line, " 0");
-    ok = ok && gen_check(g, et_request_parse(&read, line, &message) == ET_EFORMAT && message.text[0] && untouched(&read, &was), "'%s': one word too many", line);
+    ok = ok && gen_check(g, et_request_parse(&read, line, &message) == ET_EFORMAT && message.text[0] && untouched(&read, &was),
+                         "'%s': one word too many", line);
     *strrchr(line, ' ') = '\0';
     *strrchr(line, ' ') = '\0';
     ok = ok && gen_check(g, et_request_parse(&read, line, NULL) == ET_EFORMAT && untouched(&read, &was), "'%s': one word too few", line);
@@ -309,7 +313,8 @@ verdict prop_request_parse(gen *g)
 /* A word altered in one place: none of the words may then be taken for another, unless it names the same kind of thing. */
 verdict prop_request_parse_words(gen *g)
 {
-    static const char *const bad[] = { "", "x", "1x", "0x", "0xp1", "-", "+", ".", "1e", "1,5", "nanx", "inff", "\v1", "\f1", "1\v", "--1", "0x1p", "1p1", "(1)" };
+    static const char *const bad[] = { "", "x", "1x", "0x", "0xp1", "-", "+", ".", "1e", "1,5", "nanx", "inff", "\v1", "\f1", "1\v", "--1", "0x1p",
+                                       "1p1", "(1)" };
     char line[64];
     et_request r;
     et_message message = { "" };
@@ -359,7 +364,8 @@ verdict prop_request_curve(gen *g)
     const et_status status = et_request_curve(&c, &r, 0);
     ok = ok && gen_check(g, status == (fits ? ET_OK : ET_EFORMAT), "p = %zu, %zu knots, %zu points, %zu weights", p, nu, np, nw);
     if (ok && fits)
-        ok = gen_check(g, c.p == p && c.n == np && c.u == r.arg[1].x && (double *)c.points == r.arg[2].x && c.weights == (nw ? r.arg[3].x : NULL), "its parts");
+        ok = gen_check(g, c.p == p && c.n == np && c.u == r.arg[1].x && (double *)c.points == r.arg[2].x && c.weights == (nw ? r.arg[3].x : NULL),
+                       "its parts");
     else
         ok = ok && gen_check(g, memcmp(&c, &was, sizeof c) == 0, "unchanged");
     ok = ok && gen_check(g, et_request_curve(&c, &r, 1) == ET_EINVAL && et_request_curve(&c, &r, SIZE_MAX) == ET_EINVAL, "there stands none");
@@ -382,8 +388,10 @@ verdict prop_request_surface(gen *g)
     if (et_request_new(&r, ET_OP_SEAM_GAP) != ET_OK)
         return FAIL;
     bool ok = gen_check(g, et_request_surface(&s, &r, first) == ET_EFORMAT && memcmp(&s, &was, sizeof s) == 0, "nothing in it");
-    ok = ok && et_request_set(&r, first, p, NULL) == ET_OK && et_request_set(&r, first + 1, q, NULL) == ET_OK && et_request_set(&r, first + 2, nu + p + 1, zero) == ET_OK
-         && et_request_set(&r, first + 3, nv + q + 1, zero) == ET_OK && et_request_set(&r, first + 4, np, zero) == ET_OK && et_request_set(&r, first + 5, nw, zero) == ET_OK;
+    ok = ok && et_request_set(&r, first, p, NULL) == ET_OK && et_request_set(&r, first + 1, q, NULL) == ET_OK
+        && et_request_set(&r, first + 2, nu + p + 1, zero) == ET_OK
+         && et_request_set(&r, first + 3, nv + q + 1, zero) == ET_OK && et_request_set(&r, first + 4, np, zero) == ET_OK
+             && et_request_set(&r, first + 5, nw, zero) == ET_OK;
     const bool fits = np == nu * nv && (nw == 0 || nw == np);
     ok = ok && gen_check(g, et_request_surface(&s, &r, first) == (fits ? ET_OK : ET_EFORMAT), "%zu x %zu, %zu points, %zu weights", nu, nv, np, nw);
     if (ok && fits)

@@ -30,7 +30,8 @@ typedef struct {
 
 typedef struct {
     size_t count[ET_OPS][ET_CATEGORIES][ET_VERDICTS];
-    size_t asked, refused_rightly, skipped;      /* skipped: the operation timed out or crashed too often in a row; or the exact layer could not decide */
+    size_t asked, refused_rightly;
+    size_t skipped;                       /* the operation timed out or crashed too often in a row; or the exact layer could not decide */
     double worst[ET_OPS];                 /* greatest error / bound */
     et_conform_finding *finding;
     size_t findings;
@@ -44,10 +45,11 @@ typedef struct {
 */
 et_conform_options et_conform_defaults(void);
 
-/* The peer is asked, judged and counted, as docs/conformance.md says.  Requests are asked in blocks of 32, once in order and then all again in the reverse
- * order; after 3 timeouts or 8 crashes in a row within an operation the rest of it is skipped.  The same seed gives the same requests.
- * *report is delivered whatever the status, and freed by et_conform_free.  ET_OK whatever the verdicts; ET_EIO (vectors cannot be read; the peer does not
- * start any more, which counts as a crash), ET_EFORMAT (vectors), ET_ENOMEM, ET_ESTOPPED (and whatever else the task says): what was known then.
+/* The peer is asked, judged and counted, as docs/conformance.md says.  Requests are asked in blocks of 32, once in order and then all again in the
+ * reverse order; after 3 timeouts or 8 crashes in a row within an operation the rest of it is skipped.  The same seed gives the same requests.
+ * *report is delivered whatever the status, and freed by et_conform_free.  ET_OK whatever the verdicts; ET_EIO (vectors cannot be read; the peer
+ * does not start any more, which counts as a crash), ET_EFORMAT (vectors), ET_ENOMEM, ET_ESTOPPED (and whatever else the task says): what was known
+ * then.
  * Golden: none (another program's replies). */
 /*@ requires report:  \valid(report);
     requires peer:    peer != \null;

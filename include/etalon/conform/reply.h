@@ -99,8 +99,8 @@ et_status et_reply_put_curve(et_reply *reply, const et_curve *c);
 */
 et_status et_reply_put_surface(et_reply *reply, const et_surface *s);
 
-/* The curve that stands at x[*at], with storage of its own; *at moves behind it.  ET_EFORMAT: the numbers do not make one: a count that is none or says more
- * than there is, n + p + 1 knots for other than n > p points, weights for some points only.  ET_ENOMEM.
+/* The curve that stands at x[*at], with storage of its own; *at moves behind it.  ET_EFORMAT: the numbers do not make one: a count that is none or
+ * says more than there is, n + p + 1 knots for other than n > p points, weights for some points only.  ET_ENOMEM.
  * Golden: none (what is put is what is got). */
 /*@ requires c:      \valid(c) && \valid(at);
     requires reply:  \valid_read(reply) && et_reply_stored((et_reply *)reply);
@@ -133,9 +133,9 @@ et_status et_reply_get_surface(et_surface *s, size_t *at, const et_reply *reply)
 */
 int et_reply_same(const et_reply *a, const et_reply *b);
 
-/* The words `key=value` of a reply to hello (the line behind `0 ok `); keys that are not known are passed over.  Absent: degree SIZE_MAX, order 3, rational 0,
- * side any, knot_tolerance 0.  Names are cut to 63 bytes.  ET_EFORMAT with a sentence: protocol (1), name, version or ops missing, a key twice, a value that
- * its key cannot have, a word that is not key=value.  ET_ENOMEM. */
+/* The words `key=value` of a reply to hello (the line behind `0 ok `); keys that are not known are passed over.  Absent: degree SIZE_MAX, order 3,
+ * rational 0, side any, knot_tolerance 0.  Names are cut to 63 bytes.  ET_EFORMAT with a sentence: protocol (1), name, version or ops missing, a
+ * key twice, a value that its key cannot have, a word that is not key=value.  ET_ENOMEM. */
 /*@ requires hello:   \valid(hello);
     requires words:   valid_read_string(words);
     requires message: message == \null || \valid(message);

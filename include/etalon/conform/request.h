@@ -14,14 +14,15 @@ extern "C" {
 typedef enum {
     ET_OP_SPAN = 0, ET_OP_MULTIPLICITY, ET_OP_GREVILLE, ET_OP_BASIS, ET_OP_BASIS_DERS, ET_OP_CURVE_POINT, ET_OP_CURVE_DERS, ET_OP_SURFACE_POINT,
     ET_OP_SURFACE_DERS, ET_OP_SURFACE_NORMAL, ET_OP_CURVE_INSERT, ET_OP_CURVE_REMOVE, ET_OP_CURVE_ELEVATE, ET_OP_SURFACE_INSERT, ET_OP_SURFACE_REMOVE,
-    ET_OP_SURFACE_ELEVATE, ET_OP_PARAMETERS, ET_OP_PARAMETERS_GRID, ET_OP_KNOTS, ET_OP_FIT_CURVE, ET_OP_FIT_GRID, ET_OP_FIT_SCATTERED, ET_OP_APPROXIMATE,
-    ET_OP_CURVE_NEAREST, ET_OP_SURFACE_NEAREST, ET_OP_SURFACE_ERROR, ET_OP_NET_COUNTS, ET_OP_NET_CLASS, ET_OP_NET_NODE, ET_OP_SEAM_GAP,
+    ET_OP_SURFACE_ELEVATE, ET_OP_PARAMETERS, ET_OP_PARAMETERS_GRID, ET_OP_KNOTS, ET_OP_FIT_CURVE, ET_OP_FIT_GRID, ET_OP_FIT_SCATTERED,
+    ET_OP_APPROXIMATE, ET_OP_CURVE_NEAREST, ET_OP_SURFACE_NEAREST, ET_OP_SURFACE_ERROR, ET_OP_NET_COUNTS, ET_OP_NET_CLASS, ET_OP_NET_NODE, ET_OP_SEAM_GAP,
     ET_OPS
 } et_request_op;
 
 typedef enum { ET_ARG_COUNT = 0, ET_ARG_REAL, ET_ARG_REALS, ET_ARG_POINTS, ET_ARG_WORD } et_request_kind;
 
-/* What an argument is: its name in the table of docs/conformance.md ("p", "u", "points", "side_u", ...), its kind and, of a word, the words there are. */
+/* What an argument is: its name in the table of docs/conformance.md ("p", "u", "points", "side_u", ...), its kind and, of a word, the words there
+ * are. */
 typedef struct {
     const char *name;
     et_request_kind kind;
@@ -94,8 +95,8 @@ void et_request_free(et_request *request);
 */
 et_status et_request_copy(et_request *copy, const et_request *request);
 
-/* Argument k gets the count (or the word's number), the real x[0] (count is then of no meaning), or a copy of `count` reals or points (x may be null for
- * count 0; x may be the argument's own array).  ET_EINVAL (no such argument, no such word, a count above 2^53, x missing), ET_ENOMEM.
+/* Argument k gets the count (or the word's number), the real x[0] (count is then of no meaning), or a copy of `count` reals or points (x may be
+ * null for count 0; x may be the argument's own array).  ET_EINVAL (no such argument, no such word, a count above 2^53, x missing), ET_ENOMEM.
  * Golden: none (storage). */
 /*@ requires request: \valid(request) && et_request_stored(request);
     requires x:       x == \null || \valid_read(x);
@@ -105,9 +106,9 @@ et_status et_request_copy(et_request *copy, const et_request *request);
 */
 et_status et_request_set(et_request *request, size_t k, size_t count, const double *x);
 
-/* The line `OP ARGUMENTS...` (no id).  Counts are decimal digits, at most 2^53; reals what strtod reads in the "C" locale whatever the program's: hex and
- * decimal, to the nearest double (beyond the range infinity), and names of infinity and NaN in any capitals.  Words may be apart by more than one blank or
- * tab, and the line may end by CR or LF.  What is allocated is at most proportional to the line's length, whatever counts say.
+/* The line `OP ARGUMENTS...` (no id).  Counts are decimal digits, at most 2^53; reals what strtod reads in the "C" locale whatever the program's:
+ * hex and decimal, to the nearest double (beyond the range infinity), and names of infinity and NaN in any capitals.  Words may be apart by more
+ * than one blank or tab, and the line may end by CR or LF.  What is allocated is at most proportional to the line's length, whatever counts say.
  * ET_EFORMAT with a sentence that names the argument and the word at fault, ET_ENOMEM. */
 /*@ requires request: \valid(request);
     requires line:    valid_read_string(line);
@@ -129,8 +130,9 @@ et_status et_request_parse(et_request *request, const char *line, et_message *me
 */
 et_status et_request_print(char **line, const et_request *request);
 
-/* The curve at arguments k .. k+3, sharing the request's memory: not to be freed.  Its size is taken from the knots; ET_EFORMAT if counts of knots, points
- * and weights do not fit each other, or there are fewer than p + 2 knots (nothing else is checked: see et_curve_valid).  ET_EINVAL: there stands no curve.
+/* The curve at arguments k .. k+3, sharing the request's memory: not to be freed.  Its size is taken from the knots; ET_EFORMAT if counts of knots,
+ * points and weights do not fit each other, or there are fewer than p + 2 knots (nothing else is checked: see et_curve_valid).  ET_EINVAL: there
+ * stands no curve.
  * Golden: none (storage). */
 /*@ requires c:       \valid(c);
     requires request: \valid_read(request) && et_request_stored((et_request *)request);
