@@ -273,9 +273,11 @@ static et_status moved_points(double *moved, const removal *r, const judge_shape
     for (size_t i = 0; w && i < n; i++)
         heaviest = w[i] > w[heaviest] ? i : heaviest;
     const double f = (b ? b[heaviest] : 1) / (w ? w[heaviest] : 1);
-    for (size_t i = 0; i < n; i++)
-        moved[i] = et_vec3_distance(judge_shape_points(&back)[i], judge_shape_points(&r->f)[i])
-                 + judge_times(2 * fabs((b ? b[i] : 1) / (f * (w ? w[i] : 1)) - 1), size);
+    for (size_t i = 0; i < n; i++) {
+        const et_vec3 P = judge_shape_points(&back)[i], Q = judge_shape_points(&r->f)[i];
+        const double by[3] = { P.x - Q.x, P.y - Q.y, P.z - Q.z };
+        moved[i] = judge_length(by) + judge_times(2 * fabs((b ? b[i] : 1) / (f * (w ? w[i] : 1)) - 1), size);
+    }
     judge_shape_free(&back);
     return ET_OK;
 }
