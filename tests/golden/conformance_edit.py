@@ -518,6 +518,10 @@ def curve_removals():
         curve_remove(op, "editing", cubic, 0.25, r, 0.0, "BIMCoderLiang/LNLib/pull/3",
                      "a knot that was inserted twice comes out twice, not three times")
         curve_remove(op, "editing", cubic, 0.25, r, 2.0**-20, "mfem/mfem/pull/5510", "insertion and removal: the same as before")
+    loose = [float(k) for k in range(7)]
+    curve_remove(op, "end_of_domain", curve(c, 2, loose), 3.0, 1, 0.0, comment="knots not clamped, a knot that is needed: may be refused")
+    curve_remove(op, "end_of_domain", Curve(2, loose, [(1.0, 2.0, 3.0)] * 4), 3.0, 1, 0.0,
+                 comment="knots not clamped, a knot that is not: may be refused")
     u = [0.0] * 4 + [1.0, 2.0, 2.0, 3.0, 4.0] + [5.0] * 4
     P = [(0.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, 1.0, 0.0), (1.0, 1.0, 0.0), (1.0, 1.0, 1.0), (1.0, 1.0, 2.0), (3.0, 1.0, 1.0), (2.0, 1.0, 2.0),
          (0.0, 4.0, 1.0)]
@@ -603,6 +607,8 @@ def surface_removals():
     flat = Surface(2, 2, clamped(2, [0.25, 0.5]), clamped(2, [0.5]), [(1.0, 2.0, 3.0)] * 20)
     for along, x in (("u", 0.25), ("u", 0.5), ("v", 0.5)):
         surface_remove(op, "degenerate", flat, along, x, 1, 0.0, comment="all control points coincide")
+    loose = Surface(2, 1, [float(k) for k in range(7)], clamped(1, []), [(1.0, 2.0, 3.0)] * 8)
+    surface_remove(op, "end_of_domain", loose, "u", 3.0, 1, 0.0, comment="knots not clamped: may be refused")
     for along, x, r, tol, what in (("v", 0.25, 1, 0.0, "no knot in v"), ("u", 0.3, 1, 0.0, "no knot"), ("u", 0.0, 1, 0.0, "the left end"),
                                    ("u", NAN, 1, 0.0, "x is NaN"),
                                    ("u", 0.5, 1, -1.0, "a negative tolerance"), ("v", 0.5, 1, NAN, "the tolerance is NaN")):

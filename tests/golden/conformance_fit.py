@@ -473,6 +473,15 @@ def fit_grids():
     wide = [j / 16.0 for j in range(17)]
     fit_grid(op, "size", "interpolated", 3, 3, clamped(3, [0.25, 0.5, 0.75]), clamped(3, [0.5]), wide, wide[::2],
              [(float(i), float(j), float(i * j % 5)) for i in range(17) for j in range(9)], comment="17 x 9 data")
+    loose = [2.0, 2.25, 2.5, 2.75, 3.0]
+    for corners in ("free", "interpolated"):
+        fit_grid(op, "end_of_domain", corners, 2, 1, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0], v, loose, r, P, comment="knots not clamped: may be refused")
+        fit_grid(op, "repeated_knots", corners, 1, 1, clamped(1, [0.5, 0.5]), v, s, r, P, comment="a row where the surface jumps: may be refused")
+        for k in (30, 44, 50):
+            fit_grid(op, "fit_failure", corners, 1, 1, clamped(1, [0.5]), v, [0.0, 2.0**-k, 0.75, 0.75 + 2.0**-k, 1.0], r, P,
+                     comment="few parameters in the middle, two 2^-%d apart" % k)
+            fit_grid(op, "fit_failure", corners, 2, 1, clamped(2, []), v, [0.0, 2.0**-k, 2.0 ** (1 - k), 2.0 ** (2 - k), 1.0], r, P,
+                     comment="all but one parameter within 2^-%d" % (k - 2))
     for p in (4, 5):
         fit_grid(op, "degrees", "free", p, 1, clamped(p, []), clamped(1, []), [j / 8.0 for j in range(9)], [0.0, 1.0], control(c, 18),
                  comment="degree %d" % p)
@@ -539,6 +548,15 @@ def fit_scatters():
     fit_scattered(op, "bad_input", 2, 0, u, [0.0, 1.0], a, b, P, comment="degree 0")
     for what, bad in bad_knots(u, 2):
         fit_scattered(op, "bad_input", 2, 1, bad, v, a, b, P, comment=what)
+    for k in (2, 8, 16, 22, 24, 26):
+        fit_scattered(op, "fit_failure", 1, 1, v, v, [0.0, 1.0, 0.0, 2.0**-k], [0.0, 0.0, 1.0, 2.0**-k], control(c, 4),
+                      comment="nearly three places: 2^-%d" % k)
+    fit_scattered(op, "end_of_domain", 1, 1, [0.0, 1.0, 2.0, 3.0], v, [1.0, 1.5, 2.0, 1.0, 1.25, 2.0], [0.0, 0.25, 0.5, 1.0, 0.75, 1.0],
+                  control(c, 6),
+                  comment="knots not clamped: may be refused")
+    fit_scattered(op, "repeated_knots", 1, 1, clamped(1, [0.5, 0.5]), v, [0.0, 0.25, 0.5, 0.75, 1.0, 1.0, 0.0, 0.5],
+                  [0.0, 1.0, 0.5, 0.25, 0.75, 0.0, 1.0, 1.0],
+                  control(c, 8), comment="a place where the surface jumps: may be refused")
     places = [((i * 7 % 33) / 32.0, (i * 5 % 17) / 16.0) for i in range(90)]
     fit_scattered(op, "size", 2, 2, clamped(2, [0.25, 0.5, 0.75]), clamped(2, [0.5]), [x for x, _ in places], [y for _, y in places],
                   [(float(i), float(i % 7), float(i % 5)) for i in range(90)], comment="90 data")
