@@ -2,7 +2,7 @@
 #include "conform/campaign_shrink.h"
 #include <math.h>
 
-enum { WAYS = 22 };
+enum { WAYS = 24 };
 
 /* The way-th simplification of x; x where there is none. */
 static double simpler(double x, size_t way)
@@ -25,8 +25,10 @@ static double simpler(double x, size_t way)
     case 7: return e > 4 || e < -4 ? 2.0 * r : x;                        /* near 1 */
     case 8: return e > 4 || e < -4 ? ldexp(r, e - e / 2) : x;
     case 9: return ldexp(r, e - (e > 0 ? 1 : -1));
+    case 10: return 0.5;
+    case 11: return fabs(x) < 0x1p53 ? x - floor(x) : x;
     default: {
-        const double kept = ldexp(floor(ldexp(fabs(r), bits[way - 10])), e - bits[way - 10]);
+        const double kept = ldexp(floor(ldexp(fabs(r), bits[way - 12])), e - bits[way - 12]);
         return x < 0.0 ? -kept : kept;
     }
     }

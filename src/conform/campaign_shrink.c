@@ -328,6 +328,20 @@ static int counts(campaign_shrinker *s)
     return progress;
 }
 
+/* No weights, of both surfaces at once. */
+static int weights(campaign_shrinker *s)
+{
+    const campaign_layout *l = campaign_layout_of(s->best.op);
+    et_request c;
+    if (l->net[0] < 0 || s->best.arg[l->net[0] + 1].count == 0 || !campaign_try(s, &c)) {
+        return 0;
+    }
+    for (size_t k = 0; k < 2 && l->net[k] >= 0; k++) {
+        campaign_cut(&c, l->net[k] + 1, 1, 0, c.arg[l->net[k] + 1].count);
+    }
+    return campaign_take(s, &c);
+}
+
 /* Each list alone: nothing of it, or one item less. */
 static int lists(campaign_shrinker *s)
 {
@@ -350,7 +364,8 @@ static int lists(campaign_shrinker *s)
 
 int campaign_shrink_structure(campaign_shrinker *s)
 {
-    int progress = degrees(s);
+    int progress = weights(s);
+    progress |= degrees(s);
     progress |= data(s);
     progress |= knots_of_both(s);
     progress |= knots(s);

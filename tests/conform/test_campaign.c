@@ -314,8 +314,13 @@ verdict gold_campaign_draw(const row *r)
         return FAIL;
     }
     bool ok = true;
-    for (size_t k = 0; k < r->nwant && ok; k++) {
+    const size_t counts = q.op == ET_OP_KNOTS ? 4 : r->nwant;
+    for (size_t k = 0; k < counts && ok; k++) {
         ok = row_is_size(r, k, q.arg[k].count);
+    }
+    ok = ok && r->nwant == counts + (q.op == ET_OP_KNOTS ? q.arg[3].count : 0);
+    for (size_t k = counts; k < r->nwant && ok; k++) {
+        ok = row_is(r, k, q.arg[3].x[k - counts]);
     }
     et_request_free(&q);
     return ok ? PASS : FAIL;
@@ -323,7 +328,7 @@ verdict gold_campaign_draw(const row *r)
 
 /* ---- shrinking ---- */
 
-typedef enum { REPEATED, DECREASING, HEAVY, THIRD_POINT, RIGHT_END, LARGE, UNEQUAL, TWO_ROWS, MIXED, SHORT, ANYTHING, PREDICATES } predicate;
+typedef enum { REPEATED, DECREASING, HEAVY, THIRD_POINT, RIGHT_END, LARGE, UNEQUAL, TWO_ROWS, MIXED, SHORT, ANYTHING, SHELL, FRACTION, SEVEN, NEGATIVE, PREDICATES } predicate;
 typedef struct { predicate what; size_t calls; } planted;
 
 static bool valid(const et_request *q)
@@ -370,6 +375,14 @@ static int fails(void *context, const et_request *q)
     case TWO_ROWS: return valid(q) && q->arg[5].count >= 2 && q->arg[6].count >= 3;
     case MIXED: return valid(q) && q->arg[10].count >= 2 && q->arg[0].count >= 1 && q->arg[1].count >= 1;
     case SHORT: return q->arg[2].count != q->arg[1].count - q->arg[0].count - 1 && q->arg[2].count > 0 && q->arg[1].count > q->arg[0].count;
+    case SHELL: return valid(q);
+    case FRACTION: case NEGATIVE:
+        for (size_t i = 0; i < 3 * q->arg[2].count; i++) {
+            const double x = q->arg[2].x[i];
+            yes = yes || (c->what == FRACTION ? x != floor(x) : x < -5.0);
+        }
+        return yes;
+    case SEVEN: return q->arg[0].count >= 7 && q->arg[1].count >= 2;
     default: return 1;
     }
 }
@@ -389,7 +402,11 @@ static const struct { et_request_op op; const char *least; } least[PREDICATES] =
     {ET_OP_SURFACE_DERS, "surface_ders 1 1 4 0x0p+0 0x0p+0 0x1p+0 0x1p+0 4 0x0p+0 0x0p+0 0x1p+0 0x1p+0 4 "
                          "0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0 0x0p+0 0x0p+0 any any 2"},
     {ET_OP_CURVE_POINT, NULL},
-    {ET_OP_SEAM_GAP, "seam_gap 0 0 0 0 0 0 0 0 0 0 0 0 0"}};
+    {ET_OP_SEAM_GAP, "seam_gap 0 0 0 0 0 0 0 0 0 0 0 0 0"},
+    {ET_OP_SEAM_GAP, "seam_gap 1 1 4 0x0p+0 0x0p+0 0x1p+0 0x1p+0 4 0x0p+0 0x0p+0 0x1p+0 0x1p+0 4 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 "
+                     "0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0 1 1 4 0x0p+0 0x0p+0 0x1p+0 0x1p+0 4 0x0p+0 0x0p+0 0x1p+0 0x1p+0 4 0x0p+0 0x0p+0 0x0p+0 "
+                     "0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0x0p+0 0 0"},
+    {ET_OP_CURVE_POINT, NULL}, {ET_OP_NET_COUNTS, "net_counts 7 2"}, {ET_OP_CURVE_POINT, NULL}};
 
 static size_t numbers(const et_request *q)
 {
@@ -401,13 +418,14 @@ static size_t numbers(const et_request *q)
     return n;
 }
 
-/* One case in 10. */
+/* One case in 20. */
 verdict prop_campaign_shrink(gen *g)
 {
     const et_hello h = et_answer_hello(1);
     const predicate what = (predicate)gen_upto(g, PREDICATES - 1);
-    const et_category categories[4] = {ET_CATEGORY_PLAIN, ET_CATEGORY_REPEATED_KNOTS, ET_CATEGORY_BAD_INPUT, ET_CATEGORY_WEIGHTS};
-    et_category category = categories[gen_upto(g, 3)];
+    const et_category categories[5] = {ET_CATEGORY_PLAIN, ET_CATEGORY_REPEATED_KNOTS, ET_CATEGORY_BAD_INPUT, ET_CATEGORY_WEIGHTS,
+                                       ET_CATEGORY_EXTREME_SCALE};
+    et_category category = categories[gen_upto(g, 4)];
     const uint64_t seed = gen_upto(g, 1000);
     planted c = {what, 0};
     et_request q, before, again;
@@ -438,6 +456,9 @@ verdict prop_campaign_shrink(gen *g)
     ok = ok && gen_check(g, !least[what].least || strcmp(line, least[what].least) == 0, "not the least, which is %s", least[what].least);
     const double *P = q.arg[2].x;
     ok = ok && gen_check(g, what != LARGE || (numbers(&q) == 5 && fabs(P[0]) + fabs(P[1]) + fabs(P[2]) == 4.0), "not one coordinate of 4");
+    const double only = numbers(&q) == 3 ? P[0] + P[1] + P[2] : 0.0;
+    ok = ok && gen_check(g, what != FRACTION || fabs(only) == 0.5, "not a half: %a", only);
+    ok = ok && gen_check(g, what != NEGATIVE || only == -8.0 || only == -6.0, "not the least below -5: %a", only);
     ok = ok && gen_check(g, what != SHORT || numbers(&q) == 4, "%zu numbers where 4 do", numbers(&q));
     ok = ok && gen_check(g, et_request_copy(&again, &q) == ET_OK && et_campaign_shrink(&again, fails, &c, 20000) == ET_OK, "shrinking again fails");
     ok = ok && gen_check(g, same_text(&q, &again), "shrinking again goes on");
@@ -482,7 +503,7 @@ static et_status ask(void *context, et_reply *reply, const et_request *q)
 }
 
 /* Right answers pass every relation; wrong ones do not, nor refusals, infinities, or missing numbers. */
-/* One case in 20. */
+/* One case in 8. */
 verdict prop_campaign_relate(gen *g)
 {
     const et_hello h = et_answer_hello(1);

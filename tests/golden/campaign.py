@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Golden rows of conform/campaign: names, the table of categories, and the draws whose rule is short enough to be written down twice: those of the
-double net.
+double net and of knot rules.
 
 The generator is written here from its definition: splitmix64 for the streams, MT19937 as initialised in 2002, Lemire's index.  A campaign's case
 comes from the stream stream(stream(stream(stream(seed, operation), category), number), attempt); its first draw is whether there are weights."""
@@ -79,10 +79,38 @@ class Twister:
                 return k >> 32
 
 
-def net(op, category, seed, number):
+def rng_of(op, category, seed, number):
     own = stream(stream(stream(seed, OPERATIONS.index(op)), CATEGORIES.index(category)), number)
     rng = Twister(stream(own, 0))
-    rng.index(2)                                             # weights, of which a net has none
+    rng.index(2)                                             # weights, of which these have none
+    return rng
+
+
+def knots(category, seed, number):
+    """rule, degree, control points, parameters: the ends are 0 and 1, the others sorted."""
+    rng = rng_of("knots", category, seed, number)
+    rule = number % 4
+    p = (3, 2, 1, 3, 4, 2, 5, 3)[rng.index(8)]
+    p = max((number * 9 + 12) % 2 ** 64 % 26, 1) if category == "degrees" else p
+    n = p + 1 + rng.index(9)
+    more = rng.index(12)
+    count = (n + more, n, n + more, 2 + more % 10)[rule]
+    style, t = rng.index(3), []
+    for i in range(count):
+        if style == 0:
+            x = i / (count - 1)
+        elif style == 1:
+            x = rng.index(1025) / 1024
+        else:
+            high = rng.word() / 2 ** 32
+            x = high + rng.word() / 2 ** 32 * 2.0 ** -32
+        t.append(rng.index(5) / 4 if category == "repeated_knots" else x)
+    t.sort()
+    return [rule, p, n, count] + [x.hex() for x in [0.0] + t[1:-1] + [1.0]]
+
+
+def net(op, category, seed, number):
+    rng = rng_of(op, category, seed, number)
     nx, ny = 2 + rng.index(10), 2 + rng.index(10)
     i, j = rng.index(nx), rng.index(ny)
     turn = number % 4
@@ -117,6 +145,9 @@ def main():
             far = [(2 ** 64 - 1, 3), (2 ** 32, 2 ** 64 - 1), (12345678901234567890, 10 ** 6)]
             for seed, number in [(s, n) for s in (0, 1, 7) for n in range(9)] + far:
                 print(f"campaign_draw\tbits\treplay\t{op} {category} {seed} {number}\t" + " ".join(map(str, net(op, category, seed, number))))
+    for category in ("plain", "degrees", "repeated_knots"):
+        for seed, number in [(s, n) for s in (0, 5) for n in range(14)] + [(2 ** 63, 2 ** 64 - 3)]:
+            print(f"campaign_draw\tbits\treplay\tknots {category} {seed} {number}\t" + " ".join(map(str, knots(category, seed, number))))
 
 
 main()
