@@ -127,8 +127,8 @@ def fitpack_surface(r, d=None):
     d = r.count() if d is None else d
     inside(u, p, x)
     inside(v, q, y)
-    if d >= min(p, q) and d > 0:
-        raise Unsupported("parder has derivatives below the degree")
+    if d >= min(p, q):
+        raise Unsupported("bisplev and parder have degrees above the order of the derivative")
     out = []
     for total in range(d + 1):
         for b in range(total + 1):
@@ -155,6 +155,8 @@ def fitpack_scattered(r):
     if not (1 <= p <= 5 and 1 <= q <= 5):
         raise Unsupported("FITPACK has degrees from 1 to 5")
     for t, k in ((u, p), (v, q)):
+        if len(set(t[k + 1:-k - 1])) != len(t[k + 1:-k - 1]):
+            raise Unsupported("LSQBivariateSpline wants different inner knots")
         if len(set(t[:k + 1])) != 1 or len(set(t[-k - 1:])) != 1:
             raise Unsupported("knots that are not clamped")
     box = [u[0], u[-1], v[0], v[-1]]
