@@ -564,7 +564,7 @@ verdict prop_exact_fit_grid_refuses(gen *g)
 
 /* ---- scattered points ---- */
 
-/* One case in 10. */
+/* One case in 20. */
 verdict prop_exact_fit_scattered(gen *g)
 {
     double u[MOST], v[MOST], a[MOST], b[MOST];

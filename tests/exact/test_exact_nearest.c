@@ -472,6 +472,7 @@ verdict prop_exact_surface_nearest_plate(gen *g)
 }
 
 /* A ball's surface of circles (two poles, a seam), weights sqrt(1/2) rounded, so that it is a ball but for some ulps; and all points the same. */
+/* One case in 3. */
 verdict prop_exact_surface_nearest_ball(gen *g)
 {
     static const double cx[9] = {1, 1, 0, -1, -1, -1, 0, 1, 1}, cy[9] = {0, 1, 1, 1, 0, -1, -1, -1, 0};
@@ -508,12 +509,13 @@ verdict prop_exact_surface_nearest_ball(gen *g)
 }
 
 /* A paraboloid: nearest points on its axis, beyond its centre of curvature all around, and a valley: both directions have to be cut. */
+/* One case in 5. */
 verdict prop_exact_surface_nearest_paraboloid(gen *g)
 {
     et_surface s;
     size_t p = 2 + (size_t)gen_upto(g, 1);
     double x[2] = {0.0, 0.0}, distance = 0.0, lower = 0.0, k = (double)(1 + gen_upto(g, 3)), z = (double)gen_upto(g, 16) / 4.0;
-    bool ring = gen_chance(g, 100), trough = !ring && (gen_upto(g, 1) == 1 || 2.0 * k * z > 1.0);
+    bool ring = gen_chance(g, 40), trough = !ring && (gen_upto(g, 1) == 1 || 2.0 * k * z > 1.0);
     if (et_surface_new(&s, 2, p, 3, p + 1, 0) != ET_OK) {
         return FAIL;
     }
