@@ -406,6 +406,8 @@ static et_status say_hello(et_peer *peer, et_asked *how, et_hello *hello, et_mes
     if (status == ET_OK && *how == ET_ASKED_CRASH && peer->length == 0 && ended(peer, &info) && info.si_code == CLD_EXITED
         && (info.si_status == 126 || info.si_status == 127))
         status = et_status_fail(text, ET_EIO, "cannot start %s: the shell's exit code is %d", peer->command, info.si_status);
+    if (status == ET_OK && *how == ET_ASKED_TIMEOUT)
+        et_status_fail(text, ET_OK, "no reply to hello within %g seconds; is its output flushed?", PATIENCE * peer->program.timeout);
     if (status != ET_OK || *how != ET_ASKED_REPLY)
         return status;
     status = read_hello(hello, line, text);
