@@ -31,7 +31,7 @@ typedef struct {
     size_t n, done, total;
     size_t told_size;                     /* findings that report->finding has room for */
     unsigned timeouts[ET_OPS], crashes[ET_OPS], hung;     /* in a row; hung: timeouts whatever the operation */
-    size_t calls[ET_VERDICTS];            /* made while shrinking what crashes or hangs */
+    size_t starts, hangs;                 /* requests asked while shrinking what crashes (or talks out of order), and what hangs */
     size_t answered[ET_OPS], declined[ET_OPS];      /* replies, and those of them that were `unsupported` */
     et_category category[ET_OPS];         /* the first one asked */
     et_request worst[ET_OPS];             /* what had the greatest error / bound of those that are right */

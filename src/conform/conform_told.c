@@ -2,8 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How often the program is asked while a request is made small.  A crash costs a new start, hanging its whole time limit: of these there are so
- * many in the whole run. */
+/* How often the program is asked while a request is made small.  A crash, or a reply out of order, costs a new start, hanging its whole time limit: of
+ * these there are so many in the whole run. */
 enum { CALLS = 400, CALLS_ANEW = 60, CALLS_CRASH = 40, ALL_CRASH = 400, CALLS_TIMEOUT = 6, ALL_TIMEOUT = 12 };
 
 static int same_text(const char *a, const char *b)
@@ -76,6 +76,7 @@ typedef struct {
     et_verdict verdict;
     et_status status;                     /* of the last asking that failed: nothing is asked after it */
     et_category category;
+    int starts;                           /* each time the program is started again */
 } shrinking;
 
 /* The request asked as often as its verdict needs, and judged. */
@@ -101,7 +102,8 @@ static int still_fails(void *context, const et_request *request)
     if (s->status != ET_OK || et_task_step(s->run->task, s->run->done, s->run->total) != ET_OK)
         return 0;
     const et_status status = try_again(&c, s, request);
-    s->run->calls[s->verdict]++;
+    s->run->hangs += s->verdict == ET_VERDICT_TIMEOUT;
+    s->run->starts += s->starts != 0;
     const int fails = status == ET_OK && c.judgement.verdict == s->verdict;
     conform_free_case(&c);
     /* What the exact layer cannot decide is no example. */
@@ -109,13 +111,13 @@ static int still_fails(void *context, const et_request *request)
     return fails;
 }
 
-static size_t calls_for(const conform_run *run, et_verdict verdict)
+static size_t calls_for(const conform_run *run, const shrinking *s)
 {
-    if (verdict == ET_VERDICT_TIMEOUT)
-        return run->calls[verdict] < ALL_TIMEOUT ? CALLS_TIMEOUT : 0;
-    if (verdict == ET_VERDICT_CRASH)
-        return run->calls[verdict] < ALL_CRASH ? CALLS_CRASH : 0;
-    return verdict == ET_VERDICT_NONDETERMINISTIC ? CALLS_ANEW : CALLS;
+    if (s->verdict == ET_VERDICT_TIMEOUT)
+        return run->hangs < ALL_TIMEOUT ? CALLS_TIMEOUT : 0;
+    if (s->starts)
+        return run->starts < ALL_CRASH ? CALLS_CRASH : 0;
+    return s->verdict == ET_VERDICT_NONDETERMINISTIC ? CALLS_ANEW : CALLS;
 }
 
 /* What is told of the smallest request, if it fails once more. */
@@ -138,10 +140,11 @@ static et_status tell_shrunk(et_conform_finding *f, shrinking *s, const et_reque
  * before) is told as it is. */
 static et_status shrink(conform_run *run, et_conform_finding *f, const conform_case *c)
 {
-    shrinking s = { run, c->judgement.verdict, ET_OK, c->category };
+    const int starts = c->how != ET_ASKED_REPLY || (c->twice && c->how_again != ET_ASKED_REPLY);
+    shrinking s = { run, c->judgement.verdict, ET_OK, c->category, starts };
     const et_request_op op = c->request.op;
     const unsigned timeouts = run->timeouts[op], crashes = run->crashes[op], hung = run->hung;
-    const size_t calls = calls_for(run, s.verdict);
+    const size_t calls = calls_for(run, &s);
     et_request small;
 
     if (calls == 0)
