@@ -32,11 +32,11 @@ static size_t good_sites(campaign_maker *m, double *t, const campaign_basis *b, 
 static size_t failing_sites(campaign_maker *m, double *t, size_t n, const campaign_basis *b)
 {
     const double lo = b->u[b->p], hi = b->u[b->n], last = b->u[b->n - 1];
-    const size_t i = campaign_pick(m, b->n);
+    const size_t i = 1 + campaign_pick(m, b->n - 2);     /* neither the first function nor the last, which are 1 at the ends */
     switch (campaign_kind(m, 8)) {
     case 0:                                              /* nothing in the last span */
         for (size_t k = 0; k < n; k++) {
-            t[k] = lo + (t[k] - lo) * ((last - lo) / (hi - lo));
+            t[k] = campaign_clamp(lo, lo + (t[k] - lo) * ((last - lo) / (hi - lo)), last);
         }
         return n;
     case 1:                                              /* too few different ones */
@@ -45,11 +45,10 @@ static size_t failing_sites(campaign_maker *m, double *t, size_t n, const campai
         }
         break;
     case 2: return b->n - 1;                             /* too few */
-    case 3:                                              /* the last one at the very beginning of its function's support */
-        while (n > 1 && t[n - 2] > last) {
-            n--;
+    case 3:                                              /* those of the last span at its very beginning: hardly independent */
+        for (size_t k = 0; k < n; k++) {
+            t[k] = t[k] > last ? last + (t[k] - last) * 0x1p-7 : t[k];
         }
-        t[n - 1] = last + (hi - last) * 0x1p-7;
         return n;
     case 4:                                              /* each twice */
         for (size_t k = n; k > 0; k--) {

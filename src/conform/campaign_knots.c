@@ -132,10 +132,10 @@ static size_t multiplicity(campaign_maker *m, size_t p, size_t i)
     if (m->category == ET_CATEGORY_REPEATED_KNOTS) {
         const size_t turn = campaign_kind(m, 4) + i;
         k = turn % 4 == 1 ? most : turn % 4 == 2 ? p : 1 + campaign_pick(m, most);
+    } else if (m->category == ET_CATEGORY_NEAR_KNOTS && campaign_kind(m, 4) == 1) {
+        k = 2;                                    /* -0 and 0 */
     } else if (campaign_pick(m, 6) == 0) {
         k = 1 + campaign_pick(m, p);
-    } else if (m->category == ET_CATEGORY_NEAR_KNOTS && campaign_kind(m, 4) == 1) {
-        k = p < 2 ? p : 2;
     }
     return k < least ? least : k > most ? most : k;
 }

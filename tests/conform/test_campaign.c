@@ -326,9 +326,170 @@ verdict gold_campaign_draw(const row *r)
     return ok ? PASS : FAIL;
 }
 
+/* ---- what the kinds of a category are, one by one ---- */
+
+static bool drawn(gen *g, et_request *q, et_request_op op, et_category category, uint64_t number)
+{
+    et_hello h = et_answer_hello(1);
+    h.rational = category == ET_CATEGORY_WEIGHTS;
+    return gen_check(g, et_campaign_draw(q, op, category, gen_upto(g, 1000), number, &h) == ET_OK, "no case %llu", (unsigned long long)number);
+}
+
+static double greatest(const et_request_value *v, size_t width)
+{
+    double most = 0.0;
+    for (size_t i = 0; i < width * v->count; i++) {
+        most = fmax(most, fabs(v->x[i]));
+    }
+    return most;
+}
+
+static double smallest(const et_request_value *v, size_t width)
+{
+    double least = HUGE_VAL;
+    for (size_t i = 0; i < width * v->count; i++) {
+        least = v->x[i] != 0.0 ? fmin(least, fabs(v->x[i])) : least;
+    }
+    return least;
+}
+
+verdict prop_campaign_draw_extreme_scale(gen *g)
+{
+    const uint64_t kind = gen_upto(g, 7);
+    et_request q;
+    if (!drawn(g, &q, ET_OP_CURVE_POINT, ET_CATEGORY_EXTREME_SCALE, kind)) {
+        return FAIL;
+    }
+    const et_request_value *u = &q.arg[1], *P = &q.arg[2];
+    const double knots = greatest(u, 1), points = greatest(P, 3), x = q.arg[4].x[0];
+    const bool want[8] = {points > 1e305, points < 1e-305, knots > 1e159 && knots < 1e163, knots < 1e-157 && knots > 1e-162, smallest(P, 3) > 9e8,
+                          smallest(u, 1) > 9e8, knots < 1e-285, points > 1e150 && knots < 1e-88};
+    bool ok = gen_check(g, want[kind], "kind %llu: knots to %g, coordinates to %g", (unsigned long long)kind, knots, points);
+    ok = ok && gen_check(g, x >= u->x[0] && x <= u->x[u->count - 1], "the parameter is outside");
+    et_request_free(&q);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_campaign_draw_degenerate(gen *g)
+{
+    const uint64_t kind = gen_upto(g, 7);
+    et_request q;
+    if (!drawn(g, &q, ET_OP_CURVE_POINT, ET_CATEGORY_DEGENERATE, kind)) {
+        return FAIL;
+    }
+    const double *P = q.arg[2].x;
+    const size_t n = q.arg[2].count;
+    bool equal = true, zero = true, line = true, turns = true;
+    for (size_t i = 0; i < n; i++) {
+        equal = equal && memcmp(P + 3 * i, P, 3 * sizeof *P) == 0;
+        zero = zero && P[3 * i] == 0.0 && P[3 * i + 1] == 0.0 && P[3 * i + 2] == 0.0;
+        line = line && P[3 * i + 1] == P[3 * i] && P[3 * i + 2] == 2.0 * P[3 * i];
+        turns = turns && memcmp(P + 3 * i, P + 3 * (i % 2), 3 * sizeof *P) == 0;
+    }
+    const bool pole = n < 2 || memcmp(P, P + 3, 3 * sizeof *P) == 0;
+    const bool want[8] = {pole, equal, pole, true, line, turns, pole, zero};
+    et_request_free(&q);
+    return gen_check(g, want[kind], "kind %llu is not degenerate so", (unsigned long long)kind) ? PASS : FAIL;
+}
+
+verdict prop_campaign_draw_seam(gen *g)
+{
+    const uint64_t kind = 3 * gen_upto(g, 99);
+    et_request q;
+    if (!drawn(g, &q, ET_OP_CURVE_POINT, ET_CATEGORY_SEAM, kind)) {
+        return FAIL;
+    }
+    bool ok = gen_check(g, memcmp(q.arg[2].x, q.arg[2].x + 3 * (q.arg[2].count - 1), 3 * sizeof(double)) == 0, "the curve is open");
+    et_request_free(&q);
+    if (!ok || !drawn(g, &q, ET_OP_SEAM_GAP, ET_CATEGORY_SEAM, kind)) {
+        return FAIL;
+    }
+    const size_t nx = q.arg[2].count - q.arg[0].count - 1, ny = q.arg[3].count - q.arg[1].count - 1;
+    for (size_t i = 0; i < nx * ny && ok; i++) {
+        const bool inside = i / ny > 0 && i / ny + 1 < nx && i % ny > 0 && i % ny + 1 < ny;
+        ok = gen_check(g, inside || memcmp(q.arg[4].x + 3 * i, q.arg[10].x + 3 * i, 3 * sizeof(double)) == 0, "border point %zu differs", i);
+    }
+    et_request_free(&q);
+    return ok ? PASS : FAIL;
+}
+
+/* What was inserted can be removed: the exact answer is as often as was asked. */
+verdict prop_campaign_draw_editing(gen *g)
+{
+    const et_request_op op = gen_upto(g, 1) ? ET_OP_SURFACE_REMOVE : ET_OP_CURVE_REMOVE;
+    et_request q;
+    et_truth truth;
+    if (!drawn(g, &q, op, ET_CATEGORY_EDITING, 5 * gen_upto(g, 200))) {
+        return FAIL;
+    }
+    bool ok = gen_check(g, et_judge_truth(&truth, &q) == ET_OK && truth.validity == ET_VALID, "no answer");
+    if (ok) {
+        const double r = (double)q.arg[op == ET_OP_CURVE_REMOVE ? 5 : 8].count;
+        ok = gen_check(g, r >= 1.0 && truth.want[0] == r, "%g of %g can be removed", truth.want[0], r);
+        et_judge_free(&truth);
+    }
+    et_request_free(&q);
+    return ok ? PASS : FAIL;
+}
+
+verdict prop_campaign_draw_fit_failure(gen *g)
+{
+    static const bool fails_so[8] = {true, true, true, false, false, true, false, true};
+    const uint64_t kind = gen_upto(g, 7);
+    char reason[128];
+    et_request q;
+    if (!drawn(g, &q, ET_OP_FIT_CURVE, ET_CATEGORY_FIT_FAILURE, kind)) {
+        return FAIL;
+    }
+    const bool invalid = et_judge_validity(reason, &q) == ET_INVALID;
+    et_request_free(&q);
+    return gen_check(g, invalid == fails_so[kind], "kind %llu: %s", (unsigned long long)kind, reason) ? PASS : FAIL;
+}
+
+/* Among eight cases: two knots, or a knot and the parameter, a few ulps apart; always, in their turn, -0 beside 0. */
+verdict prop_campaign_draw_near_knots(gen *g)
+{
+    size_t close = 0, minus = 0, beside = 0;
+    for (uint64_t k = 0; k < 8; k++) {
+        et_request q;
+        if (!drawn(g, &q, ET_OP_CURVE_POINT, ET_CATEGORY_NEAR_KNOTS, k)) {
+            return FAIL;
+        }
+        const et_request_value *u = &q.arg[1];
+        const double size = 0x1p-45 * (u->x[u->count - 1] - u->x[0]), x = q.arg[4].x[0];
+        bool near = false, zero = false, by = false;
+        for (size_t i = 1; i < u->count; i++) {
+            near = near || (u->x[i] > u->x[i - 1] && u->x[i] - u->x[i - 1] < size);
+            zero = zero || (u->x[i] == 0.0 && u->x[i - 1] == 0.0 && signbit(u->x[i - 1]) && !signbit(u->x[i]));
+            by = by || (x != u->x[i] && fabs(x - u->x[i]) < size);
+        }
+        close += near;
+        minus += zero && k % 4 == 1;
+        beside += by || x == 0.0;
+        et_request_free(&q);
+    }
+    const bool ok = close >= 3 && minus == 2 && beside >= 1;
+    return gen_check(g, ok, "%zu with close knots, %zu with -0, %zu beside a knot", close, minus, beside) ? PASS : FAIL;
+}
+
+verdict prop_campaign_draw_size(gen *g)
+{
+    static const et_request_op ops[4] = {ET_OP_SPAN, ET_OP_CURVE_POINT, ET_OP_SURFACE_POINT, ET_OP_NET_COUNTS};
+    const size_t k = (size_t)gen_upto(g, 3);
+    et_request q;
+    if (!drawn(g, &q, ops[k], ET_CATEGORY_SIZE, gen_upto(g, 50))) {
+        return FAIL;
+    }
+    const bool want[4] = {q.arg[1].count > 300, q.arg[2].count > 250, q.arg[4].count >= 25, true};
+    et_request_free(&q);
+    return gen_check(g, want[k], "small for its size") ? PASS : FAIL;
+}
+
 /* ---- shrinking ---- */
 
-typedef enum { REPEATED, DECREASING, HEAVY, THIRD_POINT, RIGHT_END, LARGE, UNEQUAL, TWO_ROWS, MIXED, SHORT, ANYTHING, SHELL, FRACTION, SEVEN, NEGATIVE, PREDICATES } predicate;
+typedef enum {
+    REPEATED, DECREASING, HEAVY, THIRD_POINT, RIGHT_END, LARGE, UNEQUAL, TWO_ROWS, MIXED, SHORT, ANYTHING, SHELL, FRACTION, SEVEN, NEGATIVE, PREDICATES
+} predicate;
 typedef struct { predicate what; size_t calls; } planted;
 
 static bool valid(const et_request *q)
