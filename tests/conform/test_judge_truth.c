@@ -792,3 +792,25 @@ verdict prop_judge_truth_counts(gen *g)
     ok = ok && gen_check(g, *at == '\0', "%s: more", counted[k][0]);
     return end(&r, &t, ok);
 }
+
+/* Degree 0 has right values where it is allowed, and where it is not forbidden. */
+static const struct { const char *line; et_validity validity; double want[4]; size_t n; } constant[] = {
+    { "basis 0 3 0 0x1p-1 1 0x1p-1 right", ET_VALID, { 0, 1 }, 2 },
+    { "basis_ders 0 3 0 0x1p-1 1 0x1p-1 left 1", ET_IMPLEMENTATION_DEFINED, { 1, 0, 0, 0 }, 4 },
+    { "curve_point 0 3 0 0x1p-1 1 2 1 2 3 4 5 6 0 0x1p-1 left", ET_VALID, { 1, 2, 3 }, 3 },
+    { "curve_ders 0 3 0 0x1p-1 1 2 1 2 3 4 5 6 0 0x1p-1 right 0", ET_IMPLEMENTATION_DEFINED, { 4, 5, 6 }, 3 },
+    { "surface_point 0 0 2 0 1 2 0 1 1 7 8 9 1 2 0x1p-1 0x1p-1 any any", ET_VALID, { 7, 8, 9 }, 3 },
+    { "surface_error 0 0 2 0 1 2 0 1 1 0 0 0 0 1 0x1p-1 1 0x1p-1 1 3 4 0", ET_IMPLEMENTATION_DEFINED, { 5, 5 }, 2 },
+};
+
+verdict prop_judge_truth_constant(gen *g)
+{
+    const size_t k = gen_upto(g, sizeof constant / sizeof *constant - 1);
+    et_request r = kit_parse(constant[k].line);
+    et_truth t = { 0 };
+    bool ok = gen_check(g, et_judge_truth(&t, &r) == ET_OK && t.validity == constant[k].validity && t.count == constant[k].n, "%s: %zu numbers", constant[k].line, t.count);
+
+    for (size_t i = 0; ok && i < t.count; i++)
+        ok = gen_check(g, t.want[i] == constant[k].want[i] && t.bound[i] < 1e-10, "%s: %g", constant[k].line, t.want[i]);
+    return end(&r, &t, ok);
+}

@@ -122,6 +122,7 @@ def edits():
     validity(INVALID, "huge", "curve_insert %s 0x1p-1 9007199254740992" % C2)
     validity(VALID, "end_none", "curve_insert %s 1 0" % C2)
     validity(INVALID, "end", "curve_insert %s 1 1" % C2)
+    validity(INVALID, "end", "curve_insert %s 0 1" % C2)
     validity(INVALID, "outside", "curve_insert %s 0x1.0000000000001p+0 1" % C2)
     validity(INVALID, "outside_none", "curve_insert %s -1 0" % C2)
     validity(DEFINED, "too_close", "curve_insert %s 0x1p-1074 1" % C2)
