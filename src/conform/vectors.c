@@ -227,7 +227,7 @@ static et_status header(place *p, json_t **list, json_t *document)
     *list = json_object_get(document, "vectors");
     if (!format || strcmp(format, "etalon-conformance") != 0)
         return et_status_fail(p->message, ET_EFORMAT, "%s: format: is not \"etalon-conformance\"", p->path);
-    if (!json_is_integer(version) || json_integer_value(version) != 1)
+    if (json_integer_value(version) != 1)
         return et_status_fail(p->message, ET_EFORMAT, "%s: version: is not 1", p->path);
     if (!p->operation || et_request_find(p->operation) == ET_OPS)
         return et_status_fail(p->message, ET_EFORMAT, "%s: operation: is none of the protocol", p->path);

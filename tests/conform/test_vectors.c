@@ -248,6 +248,23 @@ static bool read_as(gen *g, const char *path, et_status want, et_message *messag
                                                                                           "*vectors changed");
 }
 
+/* The sentence begins with the file's name; what follows. */
+static bool tells(gen *g, const char *text, const char *what)
+{
+    page p = { "", 0 };
+    et_vectors v = { NULL, 0 };
+    et_message m = { "" };
+    char path[256];
+
+    put(&p, "%s", text);
+    if (!spill(g, path, &p))
+        return false;
+    const et_status status = et_vectors_read(&v, path, &m);
+    unlink(path);
+    return gen_check(g, status == ET_EFORMAT && strcmp(m.text + strlen(path), what) == 0, "%s", m.text);
+}
+
+#define HEAD(operation) "{\"format\": \"etalon-conformance\", \"version\": 1, \"operation\": \"" operation "\", \"vectors\": "
 verdict prop_vectors_read_nothing(gen *g)
 {
     et_message m = { "" };
@@ -260,7 +277,11 @@ verdict prop_vectors_read_nothing(gen *g)
     ok = ok && read_as(g, path, ET_EIO, NULL) && read_as(g, "/tmp", ET_EIO, &m);
     ok = ok && gen_check(g, strcmp(m.text, "cannot read /tmp: Is a directory") == 0, "%s", m.text);
     ok = ok && read_as(g, NULL, ET_EINVAL, &m) && gen_check(g, et_vectors_read(NULL, path, &m) == ET_EINVAL, "nowhere to put it");
-    ok = ok && fails(g, &p, true);
+    ok = ok && fails(g, &p, true) && tells(g, HEAD("spam") "[]}", ": operation: is none of the protocol");
+    ok = ok && tells(g, HEAD("span") "[7]}", ": vector 1: is no object with an id") && tells(g, HEAD("span") "{}}",
+
+        ": vectors: is no list, or stands beside something else");
+    ok = ok && tells(g, HEAD("span") "[{\"id\": \"a\", \"more\": 1}]}", ": a: a member that no vector has");
     put(&p, "%s", good);
     ok = ok && spill(g, path, &p) && gen_check(g, et_vectors_read(&v, path, NULL) == ET_OK && v.count == 1, "the good one is not read");
     if (ok) {
