@@ -32,9 +32,9 @@ static void multiply(double *v, const double *u, size_t nu)
     }
 }
 
-/* The control point of index i after refinement to knots t[0] = v[i], t[1], ..., but for t[skip], is sum_c alpha[c] P_{span-p+c}: discrete B-splines by
- * the Oslo algorithm (Cohen, Lyche and Riesenfeld 1980), span that of t[0].  What is not zero has support within that of the function it is made of: no
- * factor is negative, and each alpha is within ((1-u)^(5p), (1-u)^-(5p)) of the exact one. */
+/* The control point of index i after refinement to knots t[0] = v[i], t[1], ..., but for t[skip], is sum_c alpha[c] P_{span-p+c}: discrete B-splines
+ * by the Oslo algorithm (Cohen, Lyche and Riesenfeld 1980), span that of t[0].  What is not zero has support within that of the function it is made
+ * of: no factor is negative, and each alpha is within ((1-u)^(5p), (1-u)^-(5p)) of the exact one. */
 static void discrete(double *alpha, const double *u, size_t p, size_t span, const double *t, size_t skip)
 {
     alpha[p] = 1.0;

@@ -263,8 +263,8 @@ static double remove_once(curve_net *net, double x, double reach)
     return weights_positive(net) ? d : HUGE_VAL;
 }
 
-/* With A = w C and errors e of A and w the curve moves by |e_A - C e_w| / (w + e_w), so by at most the tolerance if |e_A| + (|C| + tolerance) |e_w| is
- * at most tolerance w: with the greatest |C| and the least w.  Eq. 5.30 puts both errors together, and asks for more. */
+/* With A = w C and errors e of A and w the curve moves by |e_A - C e_w| / (w + e_w), so by at most the tolerance if |e_A| + (|C| + tolerance) |e_w|
+ * is at most tolerance w: with the greatest |C| and the least w.  Eq. 5.30 puts both errors together, and asks for more. */
 static double reach_of(const curve_net *net, double tolerance)
 {
     double most = 0.0;

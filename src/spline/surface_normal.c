@@ -4,8 +4,8 @@
 #include "surface_parts.h"
 #include <math.h>
 
-/* Of one direction: the functions that are not zero, N; their derivatives times the span's width and over p, which no scale of the knots lets overflow, dN; and
- * the sums of the magnitudes of what those are made of, size.  One after the other in a workspace. */
+/* Of one direction: the functions that are not zero, N; their derivatives times the span's width and over p, which no scale of the knots lets
+ * overflow, dN; and the sums of the magnitudes of what those are made of, size.  One after the other in a workspace. */
 typedef struct {
     double *N, *dN, *size;
     size_t first, most;                   /* the first function, and the greatest of the p + 1 */
@@ -41,8 +41,8 @@ static functions functions_at(const double *u, size_t nu, size_t p, double x, do
     return f;
 }
 
-/* The control points of one parameter as seen from that of the greatest share, all times 2^-exponent and weights times 2^-weight: the greatest coordinate
- * and the greatest weight are from 1/2 to 1.  Where all that matter coincide, as at a pole, what follows is 0 and not its roundings. */
+/* The control points of one parameter as seen from that of the greatest share, all times 2^-exponent and weights times 2^-weight: the greatest
+ * coordinate and the greatest weight are from 1/2 to 1.  Where all that matter coincide, as at a pole, what follows is 0 and not its roundings. */
 typedef struct {
     const et_surface *s;
     et_vec3 origin;

@@ -142,14 +142,14 @@ void et_curve_ders_side(et_vec3 *D, size_t d, const et_curve *c, double x, et_si
  * points (and weights) that an edit leaves alone keep their bits.  ET_EINVAL is returned for a curve that is not valid, too, and where no valid curve
  * would come out: knots nearer than 2^-1022 to each other, an overflow, a weight that underflows to 0. ---- */
 
-/* With the knot x, inside the domain (its ends included, if they are not clamped), `times` times more, behind those equal to it (A5.1, one knot after the
- * other).  The multiplicity becomes p + 1 at most: there the curve falls apart into two.  Knots need not be clamped.
+/* With the knot x, inside the domain (its ends included, if they are not clamped), `times` times more, behind those equal to it (A5.1, one knot
+ * after the other).  The multiplicity becomes p + 1 at most: there the curve falls apart into two.  Knots need not be clamped.
  * ET_EINVAL (x outside the domain or not a number, too great a multiplicity), ET_ENOMEM.
  *
- * Each knot makes Q_i = a P_i + (1-a) P_{i-1}, a = (x - u_i)/(u_{i+p} - u_i), where a and 1-a are quotients of differences, both from 0 to 1: so weights
- * remain positive.  A coordinate of a polynomial curve's control point, and a weight, is off by at most ((1-u)^-m - 1) sum A |c|, A the convex
- * combination that makes it of the old ones, m = 5 min(times, p); a coordinate of a rational one: numerator m + 1, denominator m, and one rounding.
- * All barring underflow. */
+ * Each knot makes Q_i = a P_i + (1-a) P_{i-1}, a = (x - u_i)/(u_{i+p} - u_i), where a and 1-a are quotients of differences, both from 0 to 1: so
+ * weights remain positive.  A coordinate of a polynomial curve's control point, and a weight, is off by at most ((1-u)^-m - 1) sum A |c|, A the
+ * convex combination that makes it of the old ones, m = 5 min(times, p); a coordinate of a rational one: numerator m + 1, denominator m, and one
+ * rounding. All barring underflow. */
 /*@ requires refined: \valid(refined);
     requires c:       \valid_read(c) && et_curve_readable(c);
     requires apart:   \separated(refined, c);
@@ -163,14 +163,14 @@ void et_curve_ders_side(et_vec3 *D, size_t d, const et_curve *c, double x, et_si
 */
 et_status et_curve_insert(et_curve *refined, const et_curve *c, double x, size_t times);
 
-/* Without the knot x, of the open domain, as often as possible, at most `times`, with no point moved by more than `tolerance`, finite and not negative
- * (A5.8, one knot after the other).  *removed: how often; 0 gives a copy.  Knots need not be clamped.  ET_EINVAL (x is no knot of the open domain, the
- * tolerance), ET_ENOMEM.
+/* Without the knot x, of the open domain, as often as possible, at most `times`, with no point moved by more than `tolerance`, finite and not
+ * negative (A5.8, one knot after the other).  *removed: how often; 0 gives a copy.  Knots need not be clamped.  ET_EINVAL (x is no knot of the open
+ * domain, the tolerance), ET_ENOMEM.
  *
- * Half of the equations P_i = a Q_i + (1-a) Q_{i-1} are solved from the left, half from the right.  The last one is not satisfied by e, or, with none left,
- * the two ways to the middle point differ by e: by |e| at most a polynomial curve moves.  With weights e is e_A of w P and e_w of w, and the curve moves by
- * at most the tolerance if |e_A| + (max |P| + tolerance) |e_w| is at most tolerance min w: less than Eq. 5.30 asks for, and the same at any scale.  What
- * several removals need is added up.  A removal that would give a weight that is not positive is not made.
+ * Half of the equations P_i = a Q_i + (1-a) Q_{i-1} are solved from the left, half from the right.  The last one is not satisfied by e, or, with
+ * none left, the two ways to the middle point differ by e: by |e| at most a polynomial curve moves.  With weights e is e_A of w P and e_w of w, and
+ * the curve moves by at most the tolerance if |e_A| + (max |P| + tolerance) |e_w| is at most tolerance min w: less than Eq. 5.30 asks for, and the
+ * same at any scale.  What several removals need is added up.  A removal that would give a weight that is not positive is not made.
  *
  * Each new point satisfies its equation within ((1-u)^-5 - 1) (a |Q_i| + (1-a) |Q_{i-1}|), by which the curve moves beside. */
 /*@ requires reduced: \valid(reduced) && \valid(removed);
@@ -189,12 +189,12 @@ et_status et_curve_remove(et_curve *reduced, size_t *removed, const et_curve *c,
 /* Of a degree higher by `times`: each different knot gets that multiplicity more.  The ends must be clamped.  Any degree, 0 included, and any inner
  * multiplicity.  ET_EINVAL (ends not clamped), ET_ENOMEM.
  *
- * One degree after the other.  A control point of degree p + 1 is the mean of p + 1 control points of degree p over the new knots without one of its p + 1
- * (Prautzsch 1984); those are combinations of the old ones by discrete B-splines (the Oslo algorithm; Cohen, Lyche and Riesenfeld 1980).  The shares
- * of the old control points are summed up first; none is negative, so weights remain positive, and there are no binomial coefficients.
- * A coordinate of a polynomial curve's control point, and a weight, is off by at most ((1-u)^-m - 1) sum A |c|, A the convex combination that makes it of
- * the old ones, m = sum of 7(p + k) + 2 over k = 0 .. times - 1; a coordinate of a rational one: numerator m + 1, denominator m, and one rounding.  The
- * ends, and the points on both sides of an inner knot of multiplicity p + 1, keep their bits.  All barring underflow. */
+ * One degree after the other.  A control point of degree p + 1 is the mean of p + 1 control points of degree p over the new knots without one of its
+ * p + 1 (Prautzsch 1984); those are combinations of the old ones by discrete B-splines (the Oslo algorithm; Cohen, Lyche and Riesenfeld 1980).  The
+ * shares of the old control points are summed up first; none is negative, so weights remain positive, and there are no binomial coefficients.
+ * A coordinate of a polynomial curve's control point, and a weight, is off by at most ((1-u)^-m - 1) sum A |c|, A the convex combination that makes
+ * it of the old ones, m = sum of 7(p + k) + 2 over k = 0 .. times - 1; a coordinate of a rational one: numerator m + 1, denominator m, and one
+ * rounding.  The ends, and the points on both sides of an inner knot of multiplicity p + 1, keep their bits.  All barring underflow. */
 /*@ requires elevated: \valid(elevated);
     requires c:        \valid_read(c) && et_curve_readable(c);
     requires apart:    \separated(elevated, c);

@@ -83,8 +83,8 @@ size_t et_knots_multiplicity(const double *u, size_t nu, double x);
 
 /* The Greville points g[i] = (u[i+1] + ... + u[i+p]) / p, i < n = nu - p - 1 (Greville 1964); of degree 0 the spans' midpoints.
  *
- * Computed as a + sum (u[i+j] - a)/p, a = u[i+1], which does not overflow and is exact where all are equal, and never beyond u[i+p].  The error is at most
- * ((1-u)^-(p+1) - 1) (g - a) + 2^-53 |g|, u = 2^-53, and 2^-1075 for each quotient that underflows. */
+ * Computed as a + sum (u[i+j] - a)/p, a = u[i+1], which does not overflow and is exact where all are equal, and never beyond u[i+p].  The error is
+ * at most ((1-u)^-(p+1) - 1) (g - a) + 2^-53 |g|, u = 2^-53, and 2^-1075 for each quotient that underflows. */
 /*@ requires count:  nu >= 2 * p + 2 && n == nu - p - 1;
     requires g:      \valid(g + (0 .. n - 1));
     requires knots:  \valid_read(u + (0 .. nu - 1));

@@ -161,12 +161,12 @@ size_t et_surface_partials_work(const et_surface *s, size_t d);
         \max((s->p + 1)*(s->p + 5), (s->q + 1)*(s->q + 5)) + (d + 1)*(d + 2);
 */
 
-/* All partial derivatives of total order up to d, with the sides chosen at knots (of the value, too), in the order of et_exact_surface_ders: the one a times
- * in u and b times in v stands at (a+b)(a+b+1)/2 + b (A3.6, A4.4, Eq. 4.20).  From the right in both directions D[0] has the bits of et_surface_point,
- * and D[1] .. D[5] those of et_surface_ders but for the signs of zeros; derivatives of a polynomial surface beyond a degree are +0.
+/* All partial derivatives of total order up to d, with the sides chosen at knots (of the value, too), in the order of et_exact_surface_ders: the one
+ * a times in u and b times in v stands at (a+b)(a+b+1)/2 + b (A3.6, A4.4, Eq. 4.20).  From the right in both directions D[0] has the bits of
+ * et_surface_point, and D[1] .. D[5] those of et_surface_ders but for the signs of zeros; derivatives of a polynomial surface beyond a degree are +0.
  *
- * Error of a coordinate of a polynomial surface's derivative: at most ((1-u)^-(7(p+q)+6) - 1) M_ab, M_ab the sum of the magnitudes of all terms.  A rational
- * surface's derivatives satisfy Leibniz' rule for w S = A within ((1-u)^-m - 1) times the magnitudes of the rule's terms, as a curve's do
+ * Error of a coordinate of a polynomial surface's derivative: at most ((1-u)^-(7(p+q)+6) - 1) M_ab, M_ab the sum of the magnitudes of all terms.  A
+ * rational surface's derivatives satisfy Leibniz' rule for w S = A within ((1-u)^-m - 1) times the magnitudes of the rule's terms, as a curve's do
  * (et_curve_ders), m = 7(p+q) + (p+1)(q+1) + 8, for orders up to 56.  All barring over- and underflow. */
 /*@ requires s:      \valid_read(s) && et_surface_ok(s);
     requires D:      \valid(D + (0 .. (d + 1) * (d + 2) / 2 - 1));
@@ -181,13 +181,13 @@ size_t et_surface_partials_work(const et_surface *s, size_t d);
 */
 void et_surface_partials(et_vec3 *D, size_t d, const et_surface *s, double u, double v, et_side side_u, et_side side_v, double *work, size_t nwork);
 
-/* The unit normal S_u x S_v / |S_u x S_v|, from the right at knots; workspace as for et_surface_point.  ET_ERANK (*n as it was) where the cross product
- * is 0, or cannot be told from 0: where its length does not exceed the bound of its error.
+/* The unit normal S_u x S_v / |S_u x S_v|, from the right at knots; workspace as for et_surface_point.  ET_ERANK (*n as it was) where the cross
+ * product is 0, or cannot be told from 0: where its length does not exceed the bound of its error.
  *
- * With h = w (P - O), O the control point of the greatest share: where all control points that matter coincide, as at a pole, the derivative is 0 exactly.
- * S_u and S_v have m = 7(p+q) + 2 roundings relative to the magnitudes of their terms (those of the derivatives' of the basis added, not subtracted); as
- * w A_u - w_u A, if there are weights, 2m + 2; the cross product c 28(p+q) + 14, relative to the products of the magnitudes, as a vector: B.  The normal
- * is off by at most 2 |B| / |c| + 5u. */
+ * With h = w (P - O), O the control point of the greatest share: where all control points that matter coincide, as at a pole, the derivative is 0
+ * exactly. S_u and S_v have m = 7(p+q) + 2 roundings relative to the magnitudes of their terms (those of the derivatives' of the basis added, not
+ * subtracted); as w A_u - w_u A, if there are weights, 2m + 2; the cross product c 28(p+q) + 14, relative to the products of the magnitudes, as a
+ * vector: B.  The normal is off by at most 2 |B| / |c| + 5u. */
 /*@ requires s:      \valid_read(s) && et_surface_ok(s);
     requires n:      \valid(n);
     requires finite: \is_finite(u) && \is_finite(v);
@@ -208,8 +208,8 @@ typedef enum { ET_ALONG_U = 0, ET_ALONG_V } et_direction;
         (along == ET_ALONG_U ? a->q == b->q && a->nv == b->nv : a->p == b->p && a->nu == b->nu);
 */
 
-/* et_curve_insert of each of the surface's curves along one direction, with the same bits (barring underflow); errors and bounds as there, and ET_EINVAL for a
- * direction that is none. */
+/* et_curve_insert of each of the surface's curves along one direction, with the same bits (barring underflow); errors and bounds as there, and
+ * ET_EINVAL for a direction that is none. */
 /*@ requires refined: \valid(refined);
     requires s:       \valid_read(s) && et_surface_readable(s);
     requires apart:   \separated(refined, s);
