@@ -279,7 +279,6 @@ verdict prop_vectors_read_nothing(gen *g)
     ok = ok && read_as(g, NULL, ET_EINVAL, &m) && gen_check(g, et_vectors_read(NULL, path, &m) == ET_EINVAL, "nowhere to put it");
     ok = ok && fails(g, &p, true) && tells(g, HEAD("spam") "[]}", ": operation: is none of the protocol");
     ok = ok && tells(g, HEAD("span") "[7]}", ": vector 1: is no object with an id") && tells(g, HEAD("span") "{}}",
-
         ": vectors: is no list, or stands beside something else");
     ok = ok && tells(g, HEAD("span") "[{\"id\": \"a\", \"more\": 1}]}", ": a: a member that no vector has");
     put(&p, "%s", good);
