@@ -121,13 +121,32 @@ static void cut_net(et_request *q, size_t axis, size_t n, size_t from, size_t co
 
 /* ---- degrees ---- */
 
-/* Knots fit for a lower degree: at the ends as many less, inside at most degree + 1; control points are dropped at one end. */
-static void lower(et_request *q, size_t axis, size_t degree, int front)
+/* `more` new knots equidistant in the first span that is not empty; the list has room. */
+static void fill(et_request_value *u, size_t more)
+{
+    size_t i = 1;
+    while (i < u->count && !(u->x[i - 1] < u->x[i])) {
+        i++;
+    }
+    if (i < u->count) {
+        const double lo = u->x[i - 1], step = (u->x[i] - lo) / (double)(more + 1);
+        memmove(u->x + i + more, u->x + i, (u->count - i) * sizeof *u->x);
+        for (size_t k = 0; k < more; k++) {
+            u->x[i + k] = lo + step * (double)(k + 1);
+        }
+        u->count += more;
+    }
+}
+
+/* Knots fit for a lower degree: at the ends as many less, inside at most degree + 1; control points are dropped at the end (how 0) or the front (1),
+ * or all stay and new knots come in (2). */
+static void lower(et_request *q, size_t axis, size_t degree, int how)
 {
     const campaign_layout *l = campaign_layout_of(q->op);
     const campaign_axis *a = &l->axis[axis];
     const size_t p = q->arg[a->degree].count, n = columns(q, l, axis), drop = p - degree;
     et_request_value *u = &q->arg[a->knots];
+    const size_t room = u->count;
     size_t to = 0;
     for (size_t i = 0, run; i < u->count; i += run) {
         for (run = 1; i + run < u->count && u->x[i + run] == u->x[i]; run++) {
@@ -140,8 +159,12 @@ static void lower(et_request *q, size_t axis, size_t degree, int front)
     }
     u->count = to;
     q->arg[a->degree].count = degree;
+    if (how == 2 && to < n + degree + 1 && n + degree + 1 <= room) {
+        fill(u, n + degree + 1 - to);
+        return;
+    }
     const size_t less = to > degree + 1 ? to - degree - 1 : 0;
-    cut_net(q, axis, n, front || less > n ? 0 : less, less > n ? 0 : n - less);
+    cut_net(q, axis, n, how == 1 || less > n ? 0 : less, less > n ? 0 : n - less);
 }
 
 static int degrees(campaign_shrinker *s)
@@ -156,14 +179,14 @@ static int degrees(campaign_shrinker *s)
                 ? s->best.arg[degree].count : most;
         }
         for (size_t p = 0; p < most && p < 64; p++) {
-            for (int front = 0; front < 2; front++) {
+            for (int how = 0; how < 3; how++) {
                 et_request c;
                 if (!campaign_try(s, &c)) {
                     return progress;
                 }
                 for (size_t k = 0; k < l->axes; k++) {
                     if (l->axis[k].degree >= 0 && l->axis[k].knots >= 0 && (from == 0 || from == k + 1) && c.arg[l->axis[k].degree].count > p) {
-                        lower(&c, k, p, front);
+                        lower(&c, k, p, how);
                     }
                 }
                 if (campaign_take(s, &c)) {
