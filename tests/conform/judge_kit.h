@@ -18,7 +18,8 @@ static inline bool kit_draw(gen *g, et_request *r, et_request_op op, et_category
 
     while (category == but || !et_campaign_has(op, category))
         category = (et_category)((category + 1) % ET_CATEGORIES);
-    gen_note(g, "%s %s, seed %llu, number %llu", et_request_name(op), et_campaign_name(category), (unsigned long long)seed, (unsigned long long)number);
+    gen_note(g, "%s %s, seed %llu, number %llu", et_request_name(op), et_campaign_name(category), (unsigned long long)seed,
+            (unsigned long long)number);
     gen_label(g, et_campaign_name(category));
     for (uint64_t k = 0; k < 4; k++)
         if (et_campaign_draw(r, op, category, seed, number + k, &hello) == ET_OK)
@@ -64,7 +65,8 @@ static inline bool kit_is(gen *g, const et_judgement *j, et_verdict right, const
 /* Operations whose replies are judged with a look at the request. */
 static inline bool kit_structured(et_request_op op)
 {
-    return op == ET_OP_CURVE_REMOVE || op == ET_OP_SURFACE_REMOVE || op == ET_OP_CURVE_NEAREST || op == ET_OP_SURFACE_NEAREST || op == ET_OP_APPROXIMATE;
+    return op == ET_OP_CURVE_REMOVE || op == ET_OP_SURFACE_REMOVE || op == ET_OP_CURVE_NEAREST || op == ET_OP_SURFACE_NEAREST
+            || op == ET_OP_APPROXIMATE;
 }
 static inline bool kit_editing(et_request_op op)
 {

@@ -30,7 +30,8 @@ static bool kinds(gen *g, const et_request *request, const et_truth *truth, cons
         return gen_check(g, reply->kind == ET_REPLY_UNSUPPORTED && reply->count == 0 && reply->reason[0], "not unsupported");
     bool ok = gen_check(g, reply->kind != ET_REPLY_UNSUPPORTED, "unsupported");
     if (truth->validity == ET_INVALID)
-        ok = ok && gen_check(g, reply->kind == ET_REPLY_REFUSED && strcmp(reply->reason, truth->reason) == 0, "%s, refused because %s", truth->reason, reply->reason);
+        ok = ok && gen_check(g, reply->kind == ET_REPLY_REFUSED && strcmp(reply->reason, truth->reason) == 0, "%s, refused because %s",
+                truth->reason, reply->reason);
     else if (truth->validity == ET_VALID)
         ok = ok && gen_check(g, reply->kind == ET_REPLY_OK, "refused: %s", reply->reason);
     else if (truth->count == 0)
@@ -132,7 +133,8 @@ static bool still(gen *g, answerer *answer, const et_request *r, et_validity val
     if (!gen_check(g, answer(&reply, r) == ET_OK, "not answered"))
         return false;
     const bool ok = validity != ET_INVALID
-                    || gen_check(g, reply.kind == ET_REPLY_UNSUPPORTED || (reply.kind == ET_REPLY_REFUSED && strcmp(reply.reason, reason) == 0), "%s", reply.reason);
+                    || gen_check(g, reply.kind == ET_REPLY_UNSUPPORTED || (reply.kind == ET_REPLY_REFUSED && strcmp(reply.reason, reason) == 0),
+                            "%s", reply.reason);
     et_reply_free(&reply);
     return ok;
 }

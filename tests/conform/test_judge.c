@@ -4,7 +4,8 @@
 #include "judge_kit.h"
 #include <stdio.h>
 
-static const char *const verdicts[] = { "correctly_rounded", "within_bound", "inaccurate", "wrong", "non_finite", "wrongly_accepted", "wrongly_refused", "crash",
+static const char *const verdicts[] = { "correctly_rounded", "within_bound", "inaccurate", "wrong", "non_finite", "wrongly_accepted",
+        "wrongly_refused", "crash",
                                         "timeout", "nondeterministic", "unsupported" };
 
 verdict prop_judge_name(gen *g)
@@ -30,7 +31,8 @@ verdict prop_judge_validity_name(gen *g)
 verdict prop_judge_bad(gen *g)
 {
     const size_t k = gen_upto(g, ET_VERDICTS - 1);
-    const bool good = strcmp(verdicts[k], "correctly_rounded") == 0 || strcmp(verdicts[k], "within_bound") == 0 || strcmp(verdicts[k], "unsupported") == 0;
+    const bool good = strcmp(verdicts[k], "correctly_rounded") == 0 || strcmp(verdicts[k], "within_bound") == 0 || strcmp(verdicts[k],
+            "unsupported") == 0;
 
     return gen_check(g, et_judge_bad((et_verdict)k) == !good, "%s", verdicts[k]) ? PASS : FAIL;
 }
@@ -224,7 +226,8 @@ verdict prop_judge_validity_rank(gen *g)
     char reason[128];
     const et_validity validity = et_judge_validity(reason, &r);
     ok = ok && gen_check(g, status == ET_OK || status == ET_ERANK, "%s", et_status_text(status));
-    ok = ok && gen_check(g, (validity == ET_INVALID) == (status == ET_ERANK), "%s (%s), exactly: %s", et_judge_validity_name(validity), reason, et_status_text(status));
+    ok = ok && gen_check(g, (validity == ET_INVALID) == (status == ET_ERANK), "%s (%s), exactly: %s", et_judge_validity_name(validity), reason,
+            et_status_text(status));
     gen_label(g, et_status_text(status));
     et_request_free(&r);
     return ok ? PASS : FAIL;

@@ -32,18 +32,22 @@ verdict prop_judge_reply(gen *g)
     et_request r;
     et_truth t;
     et_judgement j;
-    et_reply refused = { ET_REPLY_REFUSED, 0, NULL, "because" }, unsupported = { ET_REPLY_UNSUPPORTED, 0, NULL, "" }, empty = { ET_REPLY_OK, 0, NULL, "" };
+    et_reply refused = { ET_REPLY_REFUSED, 0, NULL, "because" }, unsupported = { ET_REPLY_UNSUPPORTED, 0, NULL, "" }, empty = { ET_REPLY_OK, 0,
+            NULL, "" };
     const int is = drawn(g, &r, &t, kit_op(g), false);
 
     if (is <= 0)
         return is < 0 ? FAIL : SKIP;
     bool ok = gen_check(g, et_judge_reply(&j, &r, &t, &unsupported) == ET_OK, "status") && kit_is(g, &j, ET_VERDICT_UNSUPPORTED, "unsupported");
     ok = ok && gen_check(g, et_judge_reply(&j, &r, &t, &refused) == ET_OK, "status");
-    ok = ok && kit_is(g, &j, t.validity == ET_VALID ? ET_VERDICT_WRONGLY_REFUSED : t.validity == ET_INVALID ? ET_VERDICT_CORRECTLY_ROUNDED : ET_VERDICT_WITHIN_BOUND,
+    ok = ok && kit_is(g, &j, t.validity == ET_VALID ? ET_VERDICT_WRONGLY_REFUSED : t.validity == ET_INVALID
+            ? ET_VERDICT_CORRECTLY_ROUNDED : ET_VERDICT_WITHIN_BOUND,
                       "refused");
-    ok = ok && gen_check(g, (t.validity == ET_VALID) == (strstr(j.text, "because") != NULL) && (t.validity == ET_VALID || j.text[0] == '\0'), "text: %s", j.text);
+    ok = ok && gen_check(g, (t.validity == ET_VALID) == (strstr(j.text, "because") != NULL) && (t.validity == ET_VALID || j.text[0] == '\0'),
+            "text: %s", j.text);
     ok = ok && gen_check(g, et_judge_reply(&j, &r, &t, &empty) == ET_OK, "status");
-    ok = ok && kit_is(g, &j, t.validity == ET_INVALID ? ET_VERDICT_WRONGLY_ACCEPTED : t.count > 0 || t.validity == ET_VALID ? ET_VERDICT_WRONG : ET_VERDICT_WITHIN_BOUND,
+    ok = ok && kit_is(g, &j, t.validity == ET_INVALID ? ET_VERDICT_WRONGLY_ACCEPTED : t.count > 0 || t.validity == ET_VALID
+            ? ET_VERDICT_WRONG : ET_VERDICT_WITHIN_BOUND,
                       "no numbers");
     if (ok && t.validity != ET_VALID && t.count == 0) {
         const double x[2] = { 1, gen_chance(g, 2) ? NAN : INFINITY };
@@ -76,11 +80,13 @@ static bool near_numbers(gen *g, const et_request *r, const et_truth *t, double 
         const et_judgement j = kit_judge(g, r, t, x, t->count);
         if (fabs(off - 1) < 1e-9 || fabs(off / 0x1p20 - 1) < 1e-9 || !isfinite(off))
             continue;
-        ok = kit_is(g, &j, x[i] == t->want[i] ? ET_VERDICT_CORRECTLY_ROUNDED : off <= 1 ? ET_VERDICT_WITHIN_BOUND : off <= 0x1p20 ? ET_VERDICT_INACCURATE : ET_VERDICT_WRONG,
+        ok = kit_is(g, &j, x[i] == t->want[i] ? ET_VERDICT_CORRECTLY_ROUNDED : off <= 1 ? ET_VERDICT_WITHIN_BOUND : off <= 0x1p20
+                ? ET_VERDICT_INACCURATE : ET_VERDICT_WRONG,
                     "moved")
             && gen_check(g, fabs(j.ratio - off) <= 1e-6 * off, "ratio %g, not %g", j.ratio, off);
         if (off > 1)
-            ok = ok && gen_check(g, j.at == i && j.got == x[i] && j.want == t->want[i] && j.bound == t->bound[i] && j.text[0], "at %zu: %s", j.at, j.text);
+            ok = ok && gen_check(g, j.at == i && j.got == x[i] && j.want == t->want[i] && j.bound == t->bound[i] && j.text[0], "at %zu: %s", j.at,
+                    j.text);
         else
             ok = ok && gen_check(g, j.text[0] == '\0', "%s", j.text);
     }
@@ -153,7 +159,8 @@ verdict prop_judge_reply_perturbed(gen *g)
     } else {
         x[i] += 1;
         j = kit_judge(g, &r, &t, x, t.count);
-        ok = ok && gen_check(g, et_judge_bad(j.verdict) || i + 1 >= (size_t)t.count || t.want[i] != x[i] - 1 || i > t.count - 1 - (size_t)t.want[0], "%zu: %s", i,
+        ok = ok && gen_check(g, et_judge_bad(j.verdict) || i + 1 >= (size_t)t.count || t.want[i] != x[i] - 1 || i > t.count - 1 - (size_t)t.want[0],
+                "%zu: %s", i,
                              et_judge_name(j.verdict));
     }
     free(x);
@@ -302,8 +309,10 @@ verdict prop_judge_reply_removal(gen *g)
         P[i] = (et_vec3){ size * gen_real(g, -1, 1), size * gen_real(g, 0.5, 1), size * gen_real(g, -1, 1) };
     if (et_exact_curve_insert(&more, &c, x, times) != ET_OK || et_request_new(&r, ET_OP_CURVE_REMOVE) != ET_OK)
         return FAIL;
-    bool ok = et_request_set(&r, 0, 3, NULL) == ET_OK && et_request_set(&r, 1, more.n + 4, more.u) == ET_OK && et_request_set(&r, 2, more.n, &more.points->x) == ET_OK
-              && et_request_set(&r, 3, c.weights ? more.n : 0, more.weights) == ET_OK && et_request_set(&r, 4, 0, &x) == ET_OK && et_request_set(&r, 5, asked, NULL) == ET_OK
+    bool ok = et_request_set(&r, 0, 3, NULL) == ET_OK && et_request_set(&r, 1, more.n + 4, more.u) == ET_OK && et_request_set(&r, 2, more.n,
+            &more.points->x) == ET_OK
+              && et_request_set(&r, 3, c.weights ? more.n : 0, more.weights) == ET_OK && et_request_set(&r, 4, 0, &x) == ET_OK && et_request_set(&r,
+                      5, asked, NULL) == ET_OK
               && et_request_set(&r, 6, 0, &tol) == ET_OK && gen_check(g, et_judge_truth(&t, &r) == ET_OK && t.validity == ET_VALID, "truth");
     if (!ok) {
         et_curve_free(&more);
@@ -315,7 +324,8 @@ verdict prop_judge_reply_removal(gen *g)
     j = judge_curve(g, &r, &t, &c, (double)times - 1);
     ok = ok && kit_is(g, &j, ET_VERDICT_WRONG, "t that is not true");
     j = judge_curve(g, &r, &t, &more, 0);
-    ok = ok && gen_check(g, et_judge_bad(j.verdict) == (t.want[0] > 0 && tol > 0) || (t.want[0] == 0 && !et_judge_bad(j.verdict)), "nothing of it: %s, t0 %g", j.text, t.want[0]);
+    ok = ok && gen_check(g, et_judge_bad(j.verdict) == (t.want[0] > 0 && tol > 0) || (t.want[0] == 0 && !et_judge_bad(j.verdict)),
+            "nothing of it: %s, t0 %g", j.text, t.want[0]);
     P[1].x += size * 0x1p-8;
     j = judge_curve(g, &r, &t, &c, (double)times);
     ok = ok && kit_is(g, &j, ET_VERDICT_WRONG, "another curve");
@@ -359,7 +369,8 @@ verdict prop_judge_reply_removal_surface(gen *g)
         return is < 0 ? FAIL : SKIP;
     bool ok = gen_check(g, et_answer_fast(&reply, &r) == ET_OK && reply.kind == ET_REPLY_OK && et_judge_reply(&j, &r, &t, &reply) == ET_OK, "answer")
               && gen_check(g, !et_judge_bad(j.verdict), "%s", j.text);
-    const size_t ku = (size_t)reply.x[3], kv = (size_t)reply.x[4 + ku], head = 6 + ku + kv, n = (size_t)reply.x[head - 1], i = head + gen_upto(g, 3 * n - 1);
+    const size_t ku = (size_t)reply.x[3], kv = (size_t)reply.x[4 + ku], head = 6 + ku + kv, n = (size_t)reply.x[head - 1], i = head + gen_upto(g,
+            3 * n - 1);
     double most = 0;
     for (size_t k = 0; k < 3 * n; k++)
         most = fmax(most, fabs(reply.x[head + k]));
@@ -367,7 +378,8 @@ verdict prop_judge_reply_removal_surface(gen *g)
     /* far enough that even of a high degree, or beside a heavy weight, something is seen of it: the verdict is bad, or it has hardly any weight */
     reply.x[i] = kept + by * 0x1p20;
     ok = ok && gen_check(g, et_judge_reply(&j, &r, &t, &reply) == ET_OK, "judged");
-    ok = ok && (r.arg[5].count > 0 || !isfinite(reply.x[i]) || most == 0 || gen_check(g, et_judge_bad(j.verdict), "a point moved from %a to %a: %s", kept, reply.x[i], j.text));
+    ok = ok && (r.arg[5].count > 0 || !isfinite(reply.x[i]) || most == 0 || gen_check(g, et_judge_bad(j.verdict), "a point moved from %a to %a: %s",
+            kept, reply.x[i], j.text));
     reply.x[i] = NAN;
     ok = ok && gen_check(g, et_judge_reply(&j, &r, &t, &reply) == ET_OK, "judged") && kit_is(g, &j, ET_VERDICT_NON_FINITE, "no number");
     et_reply_free(&reply);
@@ -428,7 +440,8 @@ verdict prop_judge_reply_approximate(gen *g)
 
     if (is <= 0 || t.validity != ET_VALID)
         return is < 0 ? FAIL : is == 0 ? SKIP : (end(&r, &t, true), SKIP);
-    bool ok = gen_check(g, et_answer_fast(&reply, &r) == ET_OK && et_judge_reply(&j, &r, &t, &reply) == ET_OK, "answer") && kit_is(g, &j, ET_VERDICT_WITHIN_BOUND, "right");
+    bool ok = gen_check(g, et_answer_fast(&reply, &r) == ET_OK && et_judge_reply(&j, &r, &t, &reply) == ET_OK, "answer") && kit_is(g, &j,
+            ET_VERDICT_WITHIN_BOUND, "right");
     if (!gen_check(g, reply.kind == ET_REPLY_OK, "refused: %s", reply.reason))
         return end(&r, &t, false);
     const size_t ku = (size_t)reply.x[2], at[] = { 0, 1, 2, 3, 4 + ku };
@@ -454,21 +467,28 @@ verdict prop_judge_reply_approximate(gen *g)
 #define CURVE "2 6 0 0 0 1 1 1 3 0 0 0 1 2 0 4 0 1 "
 #define SURFACE "1 1 4 0 0 1 1 4 0 0 1 1 4 0 0 0 0 1 0 1 0 1 1 1 1 "
 static const struct { const char *line; size_t at; const char *says; } sentences[] = {
-    { "span 2 6 0 0 0 1 1 1 0", 0, "the span is " }, { "multiplicity 1 0 0", 0, "the multiplicity is " }, { "greville 2 6 0 0 0 1 1 1", 1, "Greville point 1 is " },
+    { "span 2 6 0 0 0 1 1 1 0", 0, "the span is " }, { "multiplicity 1 0 0", 0, "the multiplicity is " }, { "greville 2 6 0 0 0 1 1 1", 1,
+      "Greville point 1 is " },
     { "basis 2 6 0 0 0 1 1 1 0x1p-2 any", 2, "N_2 is " }, { "basis_ders 2 6 0 0 0 1 1 1 0x1p-2 any 1", 4, "the 1st derivative of N_1 is " },
     { "curve_point " CURVE "0 0x1p-2 any", 1, "y of the point is " }, { "curve_ders " CURVE "0 0x1p-2 any 3", 6, "x of the 2nd derivative is " },
-    { "curve_ders " CURVE "0 0x1p-2 any 13", 3 * 11 + 2, "z of the 11th derivative is " }, { "curve_ders " CURVE "0 0x1p-2 any 22", 3 * 21, "x of the 21st derivative is " },
+    { "curve_ders " CURVE "0 0x1p-2 any 13", 3 * 11 + 2, "z of the 11th derivative is " }, { "curve_ders " CURVE "0 0x1p-2 any 22", 3 * 21,
+      "x of the 21st derivative is " },
     { "curve_ders " CURVE "0 0x1p-2 any 23", 3 * 23, "x of the 23rd derivative is " },
-    { "surface_point " SURFACE "0 0x1p-2 0x1p-2 any any", 2, "z of the point is " }, { "surface_ders " SURFACE "0 0x1p-2 0x1p-2 any any 3", 3, "x of S_u is " },
-    { "surface_ders " SURFACE "0 0x1p-2 0x1p-2 any any 3", 13, "y of S_uv is " }, { "surface_ders " SURFACE "0 0x1p-2 0x1p-2 any any 3", 24, "x of S_uvv is " },
+    { "surface_point " SURFACE "0 0x1p-2 0x1p-2 any any", 2, "z of the point is " }, { "surface_ders " SURFACE "0 0x1p-2 0x1p-2 any any 3", 3,
+      "x of S_u is " },
+    { "surface_ders " SURFACE "0 0x1p-2 0x1p-2 any any 3", 13, "y of S_uv is " }, { "surface_ders " SURFACE "0 0x1p-2 0x1p-2 any any 3", 24,
+      "x of S_uvv is " },
     { "surface_normal " SURFACE "0 0x1p-2 0x1p-2", 0, "x of the normal is " }, { "parameters chord 3 0 0 0 1 0 0 4 0 0", 1, "parameter 1 is " },
-    { "parameters_grid chord 2 2 4 0 0 0 1 0 0 4 0 0 5 5 5", 1, "parameter 1 along i is " }, { "parameters_grid chord 2 2 4 0 0 0 1 0 0 4 0 0 5 5 5", 3, "parameter 1 along j is " },
+    { "parameters_grid chord 2 2 4 0 0 0 1 0 0 4 0 0 5 5 5", 1, "parameter 1 along i is " },
+      { "parameters_grid chord 2 2 4 0 0 0 1 0 0 4 0 0 5 5 5", 3, "parameter 1 along j is " },
     { "knots uniform 2 4 2 0 1", 3, "knot 3 is " }, { "fit_curve 1 4 0 0 1 1 2 0 1 2 0 0 0 1 1 1", 4, "y of control point 1 is " },
     { "net_counts 3 4", 1, "NOV is " }, { "net_class 3 4 0 0 0", 0, "the class is " }, { "net_node 3 4 3", 2, "j is " },
-    { "surface_error " SURFACE "0 1 0 1 0 1 1 1 1", 0, "the sum of distances is " }, { "surface_error " SURFACE "0 1 0 1 0 1 1 1 1", 1, "the greatest distance is " },
+    { "surface_error " SURFACE "0 1 0 1 0 1 1 1 1", 0, "the sum of distances is " }, { "surface_error " SURFACE "0 1 0 1 0 1 1 1 1", 1,
+      "the greatest distance is " },
     { "seam_gap " SURFACE "0 " SURFACE "0 1", 0, "the gap is " }, { "curve_insert " CURVE "0 0x1p-1 1", 8 + 2 + 3, "x of control point 1 is " },
     { "curve_insert " CURVE "3 1 2 1 0x1p-1 1", 2, "knot 0 is " }, { "curve_insert " CURVE "3 1 2 1 0x1p-1 1", 9 + 1 + 12 + 4, "weight 3 is " },
-    { "surface_insert " SURFACE "0 v 0x1p-1 1", 3 + 4 + 1, "v-knot 0 is " }, { "surface_insert " SURFACE "0 v 0x1p-1 1", 2 + 5 + 6 + 1 + 4, "y of control point 1 is " },
+    { "surface_insert " SURFACE "0 v 0x1p-1 1", 3 + 4 + 1, "v-knot 0 is " }, { "surface_insert " SURFACE "0 v 0x1p-1 1", 2 + 5 + 6 + 1 + 4,
+      "y of control point 1 is " },
 };
 
 /* A number 1 too great is called by its name. */
@@ -486,7 +506,8 @@ verdict prop_judge_reply_text(gen *g)
         x[sentences[k].at] += 1;
         const et_judgement j = kit_judge(g, &r, &t, x, t.count);
         ok = kit_is(g, &j, ET_VERDICT_WRONG, sentences[k].line)
-            && gen_check(g, strncmp(j.text, sentences[k].says, strlen(sentences[k].says)) == 0 && strstr(j.text, "should be"), "%s: %s", sentences[k].says, j.text);
+            && gen_check(g, strncmp(j.text, sentences[k].says, strlen(sentences[k].says)) == 0 && strstr(j.text, "should be"), "%s: %s",
+                    sentences[k].says, j.text);
         free(x);
     }
     return made ? end(&r, &t, ok) : FAIL;

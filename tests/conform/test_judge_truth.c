@@ -164,7 +164,8 @@ static bool derivatives(gen *g, const shape *f, const double *want, const double
     et_vec3 C[2300];
     bool ok = true;
     const et_side u = f->left[0] ? ET_SIDE_LEFT : ET_SIDE_RIGHT, v = f->left[1] ? ET_SIDE_LEFT : ET_SIDE_RIGHT;
-    const et_status status = f->curve ? et_exact_curve_ders_side(C, d, &f->c, f->x[0], u) : et_exact_surface_partials(C, d, &f->s, f->x[0], f->x[1], u, v);
+    const et_status status = f->curve ? et_exact_curve_ders_side(C, d, &f->c, f->x[0], u) : et_exact_surface_partials(C, d, &f->s, f->x[0], f->x[1],
+            u, v);
 
     ok = gen_check(g, status == ET_OK, "exact: %s", et_status_text(status));
     for (size_t o = 0; ok && o <= d; o++)
@@ -207,7 +208,8 @@ static bool points_judged(gen *g, const et_request *r, const et_truth *t)
     for (size_t k = 0; k < (f.curve ? 1 : 2); k++)
         f.left[k] = r->arg[word + k].count != 1;
     if (t->other)
-        return ok && gen_check(g, memcmp(t->want, t->other, t->count * sizeof *t->want) != 0, "the same twice") && derivatives(g, &f, t->other, t->other_bound, d);
+        return ok && gen_check(g, memcmp(t->want, t->other, t->count * sizeof *t->want) != 0, "the same twice") && derivatives(g, &f, t->other,
+                t->other_bound, d);
     /* no other limit: then it is the same */
     double *const same = calloc(t->count, sizeof *same);
     et_vec3 C[46];
@@ -427,7 +429,8 @@ verdict prop_judge_truth_removal(gen *g)
         if (at < head || at == head + 3 * made.n)
             ok = ok && gen_check(g, t.bound[at] == 0, "number %zu has to be equal", at);
         else
-            ok = ok && close_to(g, t.bound[at], t.want[at], at < head + 3 * made.n ? r.arg[6].x[0] + K * 0x1p-53 * most : 2 * K * 0x1p-53 * heaviest + 2 * K * 0x1p-1074,
+            ok = ok && close_to(g, t.bound[at], t.want[at], at < head + 3 * made.n
+                    ? r.arg[6].x[0] + K * 0x1p-53 * most : 2 * K * 0x1p-53 * heaviest + 2 * K * 0x1p-1074,
                                 "number", at);
     }
     et_reply_free(&want);
@@ -442,7 +445,8 @@ static bool all_close(gen *g, const et_truth *t, const double *want, size_t n, d
     bool ok = gen_check(g, t->count == n, "%zu numbers, not %zu", t->count, n);
 
     for (size_t i = 0; ok && i < n; i++)
-        ok = gen_check(g, t->want[i] == want[i], "number %zu is %a, not %a", i, t->want[i], want[i]) && close_to(g, t->bound[i], want[i], B, "number", i);
+        ok = gen_check(g, t->want[i] == want[i], "number %zu is %a, not %a", i, t->want[i], want[i]) && close_to(g, t->bound[i], want[i], B,
+                "number", i);
     return ok;
 }
 
@@ -451,7 +455,8 @@ static bool knots_judged(gen *g, const et_request *r, const et_truth *t)
     static const et_knotrule_kind kinds[] = { ET_KNOTRULE_PIEGL, ET_KNOTRULE_AVERAGING, ET_KNOTRULE_FAITHFUL, ET_KNOTRULE_UNIFORM };
     const size_t p = r->arg[1].count, n = r->arg[2].count, nu = n + p + 1;
     double *u = calloc(nu, sizeof *u);
-    bool ok = gen_check(g, et_exact_knotrule_make(u, nu, p, r->arg[3].x, r->arg[3].count, kinds[r->arg[0].count]) == ET_OK && t->count == nu, "knots");
+    bool ok = gen_check(g, et_exact_knotrule_make(u, nu, p, r->arg[3].x, r->arg[3].count, kinds[r->arg[0].count]) == ET_OK && t->count == nu,
+            "knots");
 
     for (size_t i = 0; ok && i < nu; i++) {
         ok = gen_check(g, t->want[i] == u[i], "knot %zu", i);
@@ -494,7 +499,8 @@ verdict prop_judge_truth_parameters(gen *g)
             double most = 0;
             for (size_t k = i + 1; k <= i + p; k++)
                 most = fmax(most, fabs(r.arg[1].x[k]));
-            ok = gen_check(g, t.want[i] == want[i], "%zu", i) && close_to(g, t.bound[i], want[i], 4 * (double)(p + 2) * 0x1p-53 * most, "Greville point", i);
+            ok = gen_check(g, t.want[i] == want[i], "%zu", i) && close_to(g, t.bound[i], want[i], 4 * (double)(p + 2) * 0x1p-53 * most,
+                    "Greville point", i);
         }
     }
     return end(&r, &t, ok);
@@ -514,7 +520,8 @@ verdict prop_judge_truth_fits(gen *g)
     if (is <= 0)
         return is < 0 ? FAIL : SKIP;
     const et_request_value *a = r.arg + (r.op == ET_OP_FIT_GRID);
-    const size_t p = a[0].count, nu = a[r.op == ET_OP_FIT_CURVE ? 1 : 2].count - p - 1, nv = r.op == ET_OP_FIT_CURVE ? 1 : a[3].count - a[1].count - 1;
+    const size_t p = a[0].count, nu = a[r.op == ET_OP_FIT_CURVE ? 1 : 2].count - p - 1, nv = r.op == ET_OP_FIT_CURVE
+            ? 1 : a[3].count - a[1].count - 1;
     const size_t m = a[r.op == ET_OP_FIT_CURVE ? 2 : 4].count, n = nu * nv;
     double k = 16 * (double)(n > m ? n : m), N = (double)n;
     bool ok = n < MOST;
@@ -524,15 +531,18 @@ verdict prop_judge_truth_fits(gen *g)
         ok = et_exact_fit_scattered(P, nu, nv, &q, a[2].x, p, a[3].x, a[1].count, a[4].x, a[5].x, (const et_vec3 *)a[6].x, m) == ET_OK;
     else if (ok) {
         const size_t mv = a[5].count;
-        ok = et_exact_fit_grid(P, nu, nv, &q, a[2].x, p, a[3].x, a[1].count, a[4].x, m, a[5].x, mv, (const et_vec3 *)a[6].x, r.arg[0].count != 0) == ET_OK;
+        ok = et_exact_fit_grid(P, nu, nv, &q, a[2].x, p, a[3].x, a[1].count, a[4].x, m, a[5].x, mv, (const et_vec3 *)a[6].x,
+                r.arg[0].count != 0) == ET_OK;
         k = 16 * (double)((nu > m ? nu : m) + (nv > mv ? nv : mv));
         N = (double)(nu > nv ? nu : nv);
     }
-    ok = gen_check(g, ok && t.count == 3 * n, "not fitted") && gen_check(g, (N * k * 0x1p-53 * q.condition >= 1) <= (t.validity == ET_IMPLEMENTATION_DEFINED), "condition %a", q.condition);
+    ok = gen_check(g, ok && t.count == 3 * n, "not fitted") && gen_check(g,
+            (N * k * 0x1p-53 * q.condition >= 1) <= (t.validity == ET_IMPLEMENTATION_DEFINED), "condition %a", q.condition);
     for (size_t i = 0; ok && i < 3 * n; i++) {
         const double K = q.condition;
         ok = gen_check(g, t.want[i] == part(P[i / 3], i % 3), "number %zu", i)
-            && close_to(g, t.bound[i], t.want[i], k * 0x1p-53 * (K * part(q.solution, i % 3) + K * K * part(q.residual, i % 3) / q.norm) + k * 0x1p-1074 * (1 + K * K),
+            && close_to(g, t.bound[i], t.want[i], k * 0x1p-53 * (K * part(q.solution, i % 3) + K * K * part(q.residual,
+                    i % 3) / q.norm) + k * 0x1p-1074 * (1 + K * K),
                         "number", i);
     }
     return end(&r, &t, ok);
@@ -592,7 +602,8 @@ static bool nearest_judged(gen *g, const et_request *r, const et_truth *t)
     bool ok = et_request_curve(&c, r, 0) == ET_OK && et_exact_curve_nearest(&x, &distance, &lower, &c, *(const et_vec3 *)r->arg[4].x) == ET_OK;
 
     ok = gen_check(g, ok && t->count == 2 && t->want[0] == x && isinf(t->bound[0]), "parameter");
-    ok = ok && gen_check(g, t->want[1] <= distance && t->want[1] >= distance * (1 - 0x1p-30) - 0x1p-1070, "distance %a, not %a", t->want[1], distance);
+    ok = ok && gen_check(g, t->want[1] <= distance && t->want[1] >= distance * (1 - 0x1p-30) - 0x1p-1070, "distance %a, not %a", t->want[1],
+            distance);
     const double e = diagonal(c.points, c.n, &most), K = 64 * (double)(c.p + 2);
     return ok && close_to(g, t->bound[1], t->want[1], K * 0x1p-53 * (most + t->want[1]) + e * sqrt(0x1p-53), "distance", 1);
 }
@@ -692,7 +703,8 @@ static bool normal_judged(gen *g, const et_request *r, const double *want, const
         return true;
     f.left[0] = left[0];
     f.left[1] = left[1];
-    bool ok = et_exact_surface_partials(C, 1, &f.s, f.x[0], f.x[1], left[0] ? ET_SIDE_LEFT : ET_SIDE_RIGHT, left[1] ? ET_SIDE_LEFT : ET_SIDE_RIGHT) == ET_OK;
+    bool ok = et_exact_surface_partials(C, 1, &f.s, f.x[0], f.x[1], left[0] ? ET_SIDE_LEFT : ET_SIDE_RIGHT, left[1]
+            ? ET_SIDE_LEFT : ET_SIDE_RIGHT) == ET_OK;
     for (size_t k = 0; k < 9; k++)
         B[k] = bound_of(&f, C, B, k / 3 == 1, k / 3 == 2, k % 3);
     double e[3], along = 0;
@@ -704,12 +716,14 @@ static bool normal_judged(gen *g, const et_request *r, const double *want, const
             return ok;
         cross[x] = (long double)ay * bz - (long double)az * by;
         l += cross[x] * cross[x];
-        e[x] = fabs(ay) * B[6 + z] + B[3 + y] * fabs(bz) + fabs(az) * B[6 + y] + B[3 + z] * fabs(by) + K * 0x1p-53 * (fabs(ay * bz) + fabs(az * by)) + K * 0x1p-1074;
+        e[x] = fabs(ay) * B[6 + z] + B[3 + y] * fabs(bz) + fabs(az) * B[6 + y] + B[3 + z] * fabs(by)
+             + K * 0x1p-53 * (fabs(ay * bz) + fabs(az * by)) + K * 0x1p-1074;
         along += fabs(want[x]) * e[x];
     }
     const double length = (double)sqrtl(l);
     /* the extended product of two doubles has lost some digits where much cancels */
-    if (!(length > 0x1p-20 * (fabs(part(C[1], 0)) + fabs(part(C[1], 1)) + fabs(part(C[1], 2))) * (fabs(part(C[2], 0)) + fabs(part(C[2], 1)) + fabs(part(C[2], 2)))) || length < 1e-140)
+    if (!(length > 0x1p-20 * (fabs(part(C[1], 0)) + fabs(part(C[1], 1)) + fabs(part(C[1], 2))) * (fabs(part(C[2], 0)) + fabs(part(C[2],
+            1)) + fabs(part(C[2], 2)))) || length < 1e-140)
         return ok;
     for (size_t x = 0; ok && x < 3; x++) {
         ok = gen_check(g, fabs(want[x] - (double)(cross[x] / length)) < 1e-9, "%zu: %a", x, want[x]);
@@ -752,8 +766,10 @@ verdict prop_judge_truth(gen *g)
         return FAIL;
     }
     ok = gen_check(g, t.validity >= validity, "%s, by its arguments %s", et_judge_validity_name(t.validity), et_judge_validity_name(validity))
-        && gen_check(g, (t.validity == ET_INVALID) == (validity == ET_INVALID), "invalid or not") && gen_check(g, (t.validity == ET_VALID) == (t.reason[0] == '\0'), "%s", t.reason)
-        && gen_check(g, t.validity != ET_INVALID || (t.count == 0 && !t.other), "invalid, and an answer") && gen_check(g, t.condition >= 1, "condition %a", t.condition)
+        && gen_check(g, (t.validity == ET_INVALID) == (validity == ET_INVALID), "invalid or not") && gen_check(g,
+                (t.validity == ET_VALID) == (t.reason[0] == '\0'), "%s", t.reason)
+        && gen_check(g, t.validity != ET_INVALID || (t.count == 0 && !t.other), "invalid, and an answer") && gen_check(g, t.condition >= 1,
+                "condition %a", t.condition)
         && gen_check(g, t.validity != ET_VALID || op == ET_OP_APPROXIMATE ? true : t.count > 0 || t.validity != ET_VALID, "valid, no answer");
     for (size_t i = 0; ok && i < t.count; i++) {
         ok = gen_check(g, t.bound[i] >= 0 && !isnan(t.want[i]), "bound %zu", i);
@@ -763,7 +779,8 @@ verdict prop_judge_truth(gen *g)
     ok = ok && gen_check(g, et_judge_truth(&again, &r) == ET_OK, "again");
     if (ok) {
         ok = gen_check(g, t.count == again.count && t.condition == again.condition && (t.other != NULL) == (again.other != NULL)
-                              && (t.count == 0 || (memcmp(t.want, again.want, t.count * sizeof *t.want) == 0 && memcmp(t.bound, again.bound, t.count * sizeof *t.bound) == 0)),
+                              && (t.count == 0 || (memcmp(t.want, again.want, t.count * sizeof *t.want) == 0 && memcmp(t.bound, again.bound,
+                                      t.count * sizeof *t.bound) == 0)),
                        "another truth");
         et_judge_free(&again);
     }
@@ -773,7 +790,8 @@ verdict prop_judge_truth(gen *g)
 static const char *const counted[][2] = {
     { "span 2 7 0 0 0 0x1p-1 1 1 1 0x1p-1", "3" }, { "span 2 7 0 0 0 0x1p-1 1 1 1 0x1p-2", "2" }, { "span 2 7 0 0 0 0x1p-1 1 1 1 1", "3" },
     { "multiplicity 5 0 -0 0 1 1 -0", "3" }, { "multiplicity 2 0 1 0x1p-1", "0" }, { "net_counts 3 4", "24 14 10" }, { "net_class 3 4 0 2 3", "12" },
-    { "net_class 3 4 1 1 2", "14" }, { "net_class 3 4 1 0 2", "3" }, { "net_node 3 4 13", "1 1 1" }, { "net_node 3 4 6", "0 1 1" }, { "net_node 3 4 12", "0 2 3" },
+    { "net_class 3 4 1 1 2", "14" }, { "net_class 3 4 1 0 2", "3" }, { "net_node 3 4 13", "1 1 1" }, { "net_node 3 4 6", "0 1 1" },
+      { "net_node 3 4 12", "0 2 3" },
 };
 
 verdict prop_judge_truth_counts(gen *g)
@@ -808,7 +826,8 @@ verdict prop_judge_truth_constant(gen *g)
     const size_t k = gen_upto(g, sizeof constant / sizeof *constant - 1);
     et_request r = kit_parse(constant[k].line);
     et_truth t = { 0 };
-    bool ok = gen_check(g, et_judge_truth(&t, &r) == ET_OK && t.validity == constant[k].validity && t.count == constant[k].n, "%s: %zu numbers", constant[k].line, t.count);
+    bool ok = gen_check(g, et_judge_truth(&t, &r) == ET_OK && t.validity == constant[k].validity && t.count == constant[k].n, "%s: %zu numbers",
+            constant[k].line, t.count);
 
     for (size_t i = 0; ok && i < t.count; i++)
         ok = gen_check(g, t.want[i] == constant[k].want[i] && t.bound[i] < 1e-10, "%s: %g", constant[k].line, t.want[i]);

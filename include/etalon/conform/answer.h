@@ -7,7 +7,8 @@
 extern "C" {
 #endif
 
-/* What Etalon offers: exact != 0 all operations, else those that the fast functions have (the nearest points are missing).  Degrees to 64, derivatives
+/* What Etalon offers: exact != 0 all operations, else those that the fast functions have (the nearest points are missing).  Degrees to 64,
+ * derivatives
  * to the eighth, weights, limits from either side, knots told apart to the bit.
  * Golden: none (a list of what there is). */
 /*@ assigns \nothing;
