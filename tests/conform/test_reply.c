@@ -74,7 +74,10 @@ static void write_line(gen *g, char *line, uint64_t id, const et_reply *r, bool 
 
     for (size_t i = 0; r->kind == ET_REPLY_OK && i < r->count; i++) {
         at += (size_t)snprintf(line + at, LINE - at, "%s", loose && gen_chance(g, 4) ? " \t" : " ");
-        at += (size_t)snprintf(line + at, LINE - at, !loose && isnan(r->x[i]) ? "nan" : ways[loose ? gen_upto(g, 3) : 0], r->x[i]);
+        if (!loose && isnan(r->x[i]))
+            at += (size_t)snprintf(line + at, LINE - at, "nan");
+        else
+            at += (size_t)snprintf(line + at, LINE - at, ways[loose ? gen_upto(g, 3) : 0], r->x[i]);
     }
     if (loose)
         snprintf(line + at, LINE - at, "%s", gen_chance(g, 2) ? "\r\n" : gen_chance(g, 2) ? " " : "");
