@@ -1,5 +1,6 @@
 /* judge_truth: what is right, by the exact layer, and how far an answer may be from it. */
 #include "conform/judge_parts.h"
+#include "etalon/base/dd.h"
 #include "etalon/base/real.h"
 #include "etalon/base/size.h"
 #include "etalon/spline/knots.h"
@@ -125,29 +126,46 @@ et_status judge_points(judge_list *list, const et_request *request, int left_u, 
     return status;
 }
 
-/* a b - c d within 1.5 units of its last place (Jeannerod, Louvet, Muller 2013). */
+/* a b - c d, of numbers of size 1 to nearly all of their digits. */
 static double difference(double a, double b, double c, double d)
 {
-    const double w = c * d;
+    return et_dd_sub(et_dd_two_product(a, b), et_dd_two_product(c, d)).hi;
+}
 
-    return fma(a, b, -w) + fma(-c, d, w);
+/* The power of two by which the vector is nearly of size 1. */
+static double unit_of(et_vec3 a)
+{
+    const double most = fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+    int e;
+
+    frexp(most, &e);
+    return most == 0 || !isfinite(most) ? 1 : ldexp(1, e < -1000 ? 1000 : -e);
+}
+
+/* |a x b|, as if the product were exact. */
+static double cross_length(et_vec3 a, et_vec3 b)
+{
+    const double s = unit_of(a), t = unit_of(b);
+    const et_vec3 A = { s * a.x, s * a.y, s * a.z }, B = { t * b.x, t * b.y, t * b.z };
+    const double cross[3] = { difference(A.y, B.z, A.z, B.y), difference(A.z, B.x, A.x, B.z), difference(A.x, B.y, A.y, B.x) };
+
+    return judge_length(cross) / s / t;
 }
 
 static void put_normal(judge_list *list, const et_vec3 *n, const et_vec3 D[3], const double B[9], double K)
 {
-    double e[3], cross[3], sum = 0, along = 0;
+    double e[3], sum = 0, along = 0;
 
     for (size_t c = 0; c < 3; c++) {
         const size_t y = (c + 1) % 3, z = (c + 2) % 3;
         const double ay = judge_coordinate(&D[1], y), az = judge_coordinate(&D[1], z);
         const double by = judge_coordinate(&D[2], y), bz = judge_coordinate(&D[2], z);
-        cross[c] = difference(ay, bz, az, by);
         e[c] = judge_times(fabs(ay), B[6 + z]) + judge_times(B[3 + y], fabs(bz)) + judge_times(fabs(az), B[6 + y]) + judge_times(B[3 + z], fabs(by))
              + K * ET_UNIT * (fabs(ay * bz) + fabs(az * by)) + K * eta;
         sum += e[c];
         along += judge_times(fabs(judge_coordinate(n, c)), e[c]);
     }
-    const double l = judge_length(cross);
+    const double l = cross_length(D[1], D[2]);
     if (!(l > 0x1p10 * sum))
         list->doubt = "the normal can hardly be told from none";
     for (size_t c = 0; c < 3; c++) {

@@ -393,7 +393,7 @@ verdict prop_judge_reply_nearest(gen *g)
     et_request r;
     et_truth t;
     et_curve c;
-    et_vec3 C;
+    et_vec3 C = { 0, 0, 0 };
     const int is = drawn(g, &r, &t, ET_OP_CURVE_NEAREST, true);
 
     if (is <= 0)
