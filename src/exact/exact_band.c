@@ -143,8 +143,8 @@ static int dependent_by(const fmpz_mat_t A, ulong prime)
     return answer;
 }
 
-/* Columns that are independent modulo a prime are independent.  The first that is not is dependent by all primes but those that divide some minor: it is
- * tried whether it is the sum of the others that it would have to be. */
+/* Columns that are independent modulo a prime are independent.  The first that is not is dependent by all primes but those that divide some minor: it
+ * is tried whether it is the sum of the others that it would have to be. */
 int exact_dependent(const fmpq_mat_t A)
 {
     fmpz_mat_t whole;

@@ -1,8 +1,8 @@
 /* exact_edit: knots inserted and removed, degrees elevated, by polar forms.
  *
- * A polynomial of degree p has one symmetric form of p arguments, affine in each, that is the polynomial where all are equal: its blossom f.  The control
- * points of a spline are its pieces' blossoms at p consecutive knots (Ramshaw 1989); so are those on other knots.  The form of degree p + 1 of the same
- * polynomial is the mean of f with one argument left out, over all p + 1 of them.
+ * A polynomial of degree p has one symmetric form of p arguments, affine in each, that is the polynomial where all are equal: its blossom f.  The
+ * control points of a spline are its pieces' blossoms at p consecutive knots (Ramshaw 1989); so are those on other knots.  The form of degree p + 1
+ * of the same polynomial is the mean of f with one argument left out, over all p + 1 of them.
  */
 #include "etalon/base/size.h"
 #include "exact/exact_sums_parts.h"
@@ -305,8 +305,9 @@ static size_t different(const double *u, size_t nu)
     return n;
 }
 
-/* The degree higher by one.  A new control point belongs to any span i where its basis function lives, here the first; `before` knots of t are there more
- * than in the old ones up to that span's left end but one.  Where its function lives nowhere (a knot of more than p + 1), it takes an old one of that kind. */
+/* The degree higher by one.  A new control point belongs to any span i where its basis function lives, here the first; `before` knots of t are there
+ * more than in the old ones up to that span's left end but one.  Where its function lives nowhere (a knot of more than p + 1), it takes an old one of
+ * that kind. */
 static int change_raise(change *m, const change *old)
 {
     size_t nu = old->n + old->p + 1, i = 0, before = 0;

@@ -309,7 +309,8 @@ static int can_fit(const double *u, size_t n, size_t p, const double *t, size_t 
     return 1;
 }
 
-et_status et_exact_fit_curve(et_vec3 *P, size_t n, et_exact_lsq *lsq, const double *u, size_t nu, size_t p, const double *t, const et_vec3 *D, size_t m)
+et_status et_exact_fit_curve(et_vec3 *P, size_t n, et_exact_lsq *lsq, const double *u, size_t nu, size_t p, const double *t, const et_vec3 *D,
+                             size_t m)
 {
     size_t size;
     fmpq_mat_t U, V;
@@ -334,8 +335,8 @@ static int at_ends(const double *u, size_t n, size_t p, const double *t, size_t 
     return n > 1 && et_knots_clamped(u, n + p + 1, p) && t[0] == u[p] && t[m - 1] == u[n];
 }
 
-et_status et_exact_fit_grid(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q, const double *a,
-                            size_t mu, const double *b, size_t mv, const et_vec3 *D, int corners)
+et_status et_exact_fit_grid(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q,
+                            const double *a, size_t mu, const double *b, size_t mv, const et_vec3 *D, int corners)
 {
     size_t size, data;
     fmpq_mat_t U, V;
@@ -373,8 +374,8 @@ static void products(fmpq_mat_t A, size_t nv, const double *u, size_t p, const d
     fmpq_mat_clear(V);
 }
 
-et_status et_exact_fit_scattered(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q, const double *a,
-                                 const double *b, const et_vec3 *D, size_t m)
+et_status et_exact_fit_scattered(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q,
+                                 const double *a, const double *b, const et_vec3 *D, size_t m)
 {
     size_t n, size;
     fmpq_mat_t A, V;

@@ -1,9 +1,9 @@
 /* exact_nearest: the least distance of a point from a curve or a surface, by branch and bound.
  *
- * In a piece that is polynomial, A/w its points less the given one, the squared distance is N/W with N = |A|^2 and W = w^2, both of twice the degree, and
- * the Bernstein coefficients of W are positive.  Where N_i >= t W_i for all i, no point is nearer than sqrt(t).  Pieces are halved at doubles, so that
- * values at their corners are those of the curve or surface at parameters that there are.  All numbers are balls; their unit is such that the points
- * of the control net are within some units of the given one.
+ * In a piece that is polynomial, A/w its points less the given one, the squared distance is N/W with N = |A|^2 and W = w^2, both of twice the degree,
+ * and the Bernstein coefficients of W are positive.  Where N_i >= t W_i for all i, no point is nearer than sqrt(t).  Pieces are halved at doubles, so
+ * that values at their corners are those of the curve or surface at parameters that there are.  All numbers are balls; their unit is such that the
+ * points of the control net are within some units of the given one.
  */
 #include "exact/exact_radical_parts.h"
 #include <math.h>
@@ -21,7 +21,8 @@ typedef struct {
     slong close;
 } pass;
 enum { COARSE, CLOSE, BITS, PASSES = 5 };
-static const pass passes[PASSES] = {{EXACT_BITS, 1 << 12, 6}, {EXACT_BITS, 1 << 12, 41}, {384, 1 << 12, 41}, {EXACT_BITS, 1 << 14, 21}, {EXACT_BITS, 1 << 16, 11}};
+static const pass passes[PASSES] = {
+    {EXACT_BITS, 1 << 12, 6}, {EXACT_BITS, 1 << 12, 41}, {384, 1 << 12, 41}, {EXACT_BITS, 1 << 14, 21}, {EXACT_BITS, 1 << 16, 11}};
 
 /* A curve is a surface of degree 0 in its second direction. */
 typedef struct {

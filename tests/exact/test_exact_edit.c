@@ -1,5 +1,5 @@
-/* exact/exact_edit: knots inserted (against Boehm's algorithm in rationals) and removed, degrees elevated (against the dual functionals of de Boor and Fix),
- * one-sided derivatives (against those of what is run through backwards), normals, Greville points. */
+/* exact/exact_edit: knots inserted (against Boehm's algorithm in rationals) and removed, degrees elevated (against the dual functionals of de Boor
+ * and Fix), one-sided derivatives (against those of what is run through backwards), normals, Greville points. */
 #include "etalon/base/size.h"
 #include "etalon/exact/exact.h"
 #include "exact/exact_parts.h"
@@ -66,8 +66,8 @@ static bool is_rounded(gen *g, const et_curve *c, const fmpq *h)
             ok = gen_check(g, ref_same(coordinate(c->points[i], a), exact_round(q)), "coordinate %d of control point %zu is %a, not %a", a, i,
                            coordinate(c->points[i], a), exact_round(q));
         }
-        ok = ok && (c->weights == NULL || gen_check(g, ref_same(c->weights[i], exact_round(h + 4 * i + 3)), "weight %zu is %a, not %a", i, c->weights[i],
-                                                    exact_round(h + 4 * i + 3)));
+        ok = ok && (c->weights == NULL || gen_check(g, ref_same(c->weights[i], exact_round(h + 4 * i + 3)), "weight %zu is %a, not %a", i,
+                                                    c->weights[i], exact_round(h + 4 * i + 3)));
     }
     fmpq_clear(q);
     return ok;
@@ -260,8 +260,8 @@ verdict prop_exact_curve_ders_side_jump(gen *g)
         for (int beyond = 0; ok && beyond < 2; beyond++) {
             double at = x + (end ? 1.0 : -1.0) * beyond;
             ok = et_exact_curve_ders_side(L, 1, &c, at, ET_SIDE_LEFT) == ET_OK && et_exact_curve_ders_side(R, 1, &c, at, ET_SIDE_RIGHT) == ET_OK;
-            ok = gen_check(g, ok && L[0].x == want && R[0].x == want && L[1].x == slope_there && R[1].x == slope_there, "at %g: %g and %g", at, L[0].x,
-                           R[0].x);
+            ok = gen_check(g, ok && L[0].x == want && R[0].x == want && L[1].x == slope_there && R[1].x == slope_there, "at %g: %g and %g", at,
+                           L[0].x, R[0].x);
         }
     }
     et_curve_free(&c);
@@ -285,8 +285,11 @@ verdict prop_exact_surface_partials(gen *g)
         return SKIP;
     }
     D[0] = D[n] = (et_vec3){1.0, 2.0, 3.0};
-    bool ok = gen_check(g, et_exact_surface_partials(D, d, &s, NAN, v, a, b) == ET_EINVAL && et_exact_surface_partials(D, d, &s, u, HUGE_VAL, a, b) == ET_EINVAL &&
-                               et_exact_surface_partials(D, SIZE_MAX, &s, u, v, a, b) == ET_ENOMEM && D[0].y == 2.0, "what has to be refused");
+    bool ok = gen_check(g,
+                        et_exact_surface_partials(D, d, &s, NAN, v, a, b) == ET_EINVAL &&
+                            et_exact_surface_partials(D, d, &s, u, HUGE_VAL, a, b) == ET_EINVAL &&
+                            et_exact_surface_partials(D, SIZE_MAX, &s, u, v, a, b) == ET_ENOMEM && D[0].y == 2.0,
+                        "what has to be refused");
     ok = ok && gen_check(g, et_exact_surface_partials(D, d, &s, u, v, a, b) == ET_OK && D[n].z == 3.0, "status, or wrote beyond");
     ok = ok && gen_check(g, et_exact_surface_ders(E, d, &s, u, v) == ET_OK, "no derivatives");
     for (size_t k = 0; ok && k < n && a == ET_SIDE_RIGHT && b == ET_SIDE_RIGHT; k++) {
@@ -300,8 +303,10 @@ verdict prop_exact_surface_partials(gen *g)
             reverse_points(s.points + i * s.nv, s.weights == NULL ? NULL : s.weights + i * s.nv, s.nv, 1);
         }
     }
-    ok = ok && gen_check(g, et_exact_surface_partials(E, d, &s, along_u ? -u : u, along_u ? v : -v, along_u ? other(a) : a, along_u ? b : other(b)) == ET_OK,
-                         "not the other way round");
+    ok =
+        ok &&
+        gen_check(g, et_exact_surface_partials(E, d, &s, along_u ? -u : u, along_u ? v : -v, along_u ? other(a) : a, along_u ? b : other(b)) == ET_OK,
+                  "not the other way round");
     for (size_t order = 0; ok && order <= d; order++) {
         for (size_t l = 0; ok && l <= order; l++) {
             size_t k = order * (order + 1) / 2 + l, times = along_u ? order - l : l;
@@ -430,7 +435,8 @@ verdict prop_exact_curve_insert(gen *g)
         gen_label(g, !valid ? "too close" : times + m == c.p + 1 ? "to p + 1" : times == 0 ? "copy" : "insert");
         ok = gen_check(g, status == (valid ? ET_OK : ET_EINVAL), "status %d", (int)status);
         if (ok && valid) {
-            ok = gen_check(g, r.p == c.p && r.n == c.n + times && (r.weights == NULL) == (c.weights == NULL) && same_reals(r.u, u, knots_of(&r)), "knots") &&
+            ok = gen_check(g, r.p == c.p && r.n == c.n + times && (r.weights == NULL) == (c.weights == NULL) && same_reals(r.u, u, knots_of(&r)),
+                           "knots") &&
                  is_rounded(g, &r, h) && gen_check(g, et_curve_valid(&r), "not valid");
         }
         _fmpq_vec_clear(h, (slong)(4 * (c.n + times)));
@@ -438,8 +444,9 @@ verdict prop_exact_curve_insert(gen *g)
     et_curve_free(&r);
     ok = ok && gen_check(g, et_exact_curve_insert(&r, &c, nextafter(c.u[c.p], -HUGE_VAL), 1) == ET_EINVAL &&
                                 et_exact_curve_insert(&r, &c, nextafter(c.u[c.n], HUGE_VAL), 1) == ET_EINVAL && r.u == NULL, "outside the domain");
-    ok = ok && gen_check(g, et_exact_curve_insert(&r, &c, NAN, 0) == ET_EINVAL && et_exact_curve_insert(&r, &c, x, SIZE_MAX) == ET_EINVAL && r.u == NULL,
-                         "no number, or too often");
+    ok = ok &&
+         gen_check(g, et_exact_curve_insert(&r, &c, NAN, 0) == ET_EINVAL && et_exact_curve_insert(&r, &c, x, SIZE_MAX) == ET_EINVAL && r.u == NULL,
+                   "no number, or too often");
     c.points[0].x = HUGE_VAL;
     ok = ok && gen_check(g, et_exact_curve_insert(&r, &c, x, 0) == ET_EINVAL && r.u == NULL, "a curve that is not valid");
     et_curve_free(&c);
@@ -448,8 +455,8 @@ verdict prop_exact_curve_insert(gen *g)
 
 /* ---- elevation ---- */
 
-/* The value of the dual functional of the j-th function of degree p on the knots t at the polynomial whose derivatives from 0 to d at y are D[stride k]:
- * sum over r of (-1)^(p-r) psi^(p-r)(y) D_r / p!, psi(x) = (t_{j+1} - x) .. (t_{j+p} - x). */
+/* The value of the dual functional of the j-th function of degree p on the knots t at the polynomial whose derivatives from 0 to d at y are D[stride
+ * k]: sum over r of (-1)^(p-r) psi^(p-r)(y) D_r / p!, psi(x) = (t_{j+1} - x) .. (t_{j+p} - x). */
 static void dual(fmpq_t L, const double *t, size_t p, size_t j, double y, const fmpq *D, size_t stride, size_t d)
 {
     fmpq *c = _fmpq_vec_init((slong)(p + 2)), *f = c + p + 1;
@@ -566,7 +573,8 @@ verdict prop_exact_curve_elevate(gen *g)
     if (!draw_clamped(g, &c)) {
         return SKIP;
     }
-    size_t times = (size_t)gen_upto(g, 3), nt = elevated_knots(t, c.u, knots_of(&c), times), p = c.p + times, n = nt - p - 1, which = (size_t)gen_upto(g, 3);
+    size_t times = (size_t)gen_upto(g, 3), nt = elevated_knots(t, c.u, knots_of(&c), times), p = c.p + times, n = nt - p - 1,
+           which = (size_t)gen_upto(g, 3);
     bool ok = gen_check(g, et_exact_curve_elevate(&e, &c, times) == ET_OK, "status");
     ok = ok && gen_check(g, e.p == p && e.n == n && (e.weights == NULL) == (c.weights == NULL) && same_reals(e.u, t, nt), "knots");
     h = _fmpq_vec_init((slong)(4 * n));
@@ -587,8 +595,10 @@ verdict prop_exact_curve_elevate(gen *g)
     ok = ok && is_rounded(g, &e, h) && gen_check(g, et_curve_valid(&e), "not valid");
     _fmpq_vec_clear(h, (slong)(4 * n));
     et_curve_free(&e);
-    ok = ok && gen_check(g, et_exact_curve_elevate(&e, &c, SIZE_MAX) == ET_ENOMEM && et_exact_curve_elevate(&e, &c, SIZE_MAX / 2) == ET_ENOMEM && e.u == NULL,
-                         "sizes beyond all");
+    ok = ok &&
+         gen_check(g,
+                   et_exact_curve_elevate(&e, &c, SIZE_MAX) == ET_ENOMEM && et_exact_curve_elevate(&e, &c, SIZE_MAX / 2) == ET_ENOMEM && e.u == NULL,
+                   "sizes beyond all");
     double first = c.u[0], last = c.u[knots_of(&c) - 1];
     if (ok && c.p > 0) {
         c.u[0] = first - fabs(first) - 1.0;
@@ -621,7 +631,8 @@ static bool all_live(const et_curve *c)
     return true;
 }
 
-/* Coordinates whole multiples of 6^6, weights of 2^12; knots whole numbers or fourths: inserting up to three knots makes no fraction that is no double. */
+/* Coordinates whole multiples of 6^6, weights of 2^12; knots whole numbers or fourths: inserting up to three knots makes no fraction that is no
+ * double. */
 static bool draw_whole(gen *g, et_curve *c)
 {
     size_t p = (size_t)gen_upto(g, 3), n = p + 2 + (size_t)gen_upto(g, 4);
@@ -643,8 +654,8 @@ static bool draw_whole(gen *g, et_curve *c)
     return true;
 }
 
-/* Whether the curve without r of its knots x, its control points by dual functionals at the left of each function's support, gives the curve back when they
- * are inserted; h: those control points. */
+/* Whether the curve without r of its knots x, its control points by dual functionals at the left of each function's support, gives the curve back
+ * when they are inserted; h: those control points. */
 static bool restores(fmpq **h, const et_curve *c, double x, size_t r)
 {
     size_t nu = knots_of(c), upto = 0, n = c->n - r;
@@ -747,11 +758,13 @@ verdict prop_exact_curve_remove(gen *g)
         ok = ok && remove_as_often(g, &r, x, SIZE_MAX);
     }
     et_curve_free(&r);
-    ok = ok && gen_check(g, et_exact_curve_remove(&r, &removed, &c, lo, 1) == ET_EINVAL && et_exact_curve_remove(&r, &removed, &c, hi, 1) == ET_EINVAL &&
-                                et_exact_curve_remove(&r, &removed, &c, nextafter(x, lo), 1) == ET_EINVAL && r.u == NULL && removed == 4711,
+    ok = ok && gen_check(g,
+                         et_exact_curve_remove(&r, &removed, &c, lo, 1) == ET_EINVAL && et_exact_curve_remove(&r, &removed, &c, hi, 1) == ET_EINVAL &&
+                             et_exact_curve_remove(&r, &removed, &c, nextafter(x, lo), 1) == ET_EINVAL && r.u == NULL && removed == 4711,
                          "no knots of the open domain");
     c.points[0].x = NAN;
-    ok = ok && gen_check(g, et_exact_curve_remove(&r, &removed, &c, x, 0) == ET_EINVAL && r.u == NULL && removed == 4711, "a curve that is not valid");
+    ok =
+        ok && gen_check(g, et_exact_curve_remove(&r, &removed, &c, x, 0) == ET_EINVAL && r.u == NULL && removed == 4711, "a curve that is not valid");
     et_curve_free(&c);
     return ok ? PASS : FAIL;
 }
@@ -800,13 +813,14 @@ verdict prop_exact_curve_remove_byhand(gen *g)
     }
     c.points[n - 1 - p] = c.points[p];
     c.points[n - 1 - p].z = meets ? 0.0 : 1.0;
-    bool ok = gen_check(g, et_exact_curve_remove(&r, &removed, &c, 1.0, more) == ET_OK && removed == more && r.n == n - more, "%zu of %zu", removed, more);
+    bool ok =
+        gen_check(g, et_exact_curve_remove(&r, &removed, &c, 1.0, more) == ET_OK && removed == more && r.n == n - more, "%zu of %zu", removed, more);
     for (size_t i = 0; ok && i < r.n; i++) {
         ok = gen_check(g, same_point(r.points[i], c.points[i <= p ? i : i + more]), "control point %zu of two pieces", i);
     }
     et_curve_free(&r);
-    ok = ok && gen_check(g, et_exact_curve_remove(&r, &removed, &c, 1.0, more + 1) == ET_OK && removed == more + meets, "%zu of %zu, meets: %d", removed,
-                         more, (int)meets);
+    ok = ok && gen_check(g, et_exact_curve_remove(&r, &removed, &c, 1.0, more + 1) == ET_OK && removed == more + meets, "%zu of %zu, meets: %d",
+                         removed, more, (int)meets);
     for (size_t i = 0; ok && meets && i < r.n; i++) {
         ok = gen_check(g, same_point(r.points[i], c.points[i <= p ? i : i + more + 1]), "control point %zu of a corner", i);
     }
@@ -1145,7 +1159,8 @@ verdict true_surface_insert(const row *r)
 {
     et_surface s, t = {0, 0, 0, 0, NULL, NULL, NULL, NULL};
     size_t at = read_surface(r, &s);
-    bool ok = at > 0 && et_exact_surface_insert(&t, &s, (et_direction)row_size(r, at), row_real(r, at + 1), row_size(r, at + 2)) == ET_OK && is_surface(r, 0, &t);
+    bool ok = at > 0 && et_exact_surface_insert(&t, &s, (et_direction)row_size(r, at), row_real(r, at + 1), row_size(r, at + 2)) == ET_OK &&
+              is_surface(r, 0, &t);
     et_surface_free(&s);
     et_surface_free(&t);
     return ok ? PASS : FAIL;
@@ -1177,8 +1192,9 @@ verdict true_surface_partials(const row *r)
     et_surface s;
     et_vec3 D[91];                                          /* up to order 12 */
     size_t at = read_surface(r, &s), a = at > 0 ? row_size(r, at) : 12, b = at > 0 ? row_size(r, at + 1) : 12, d = a + b, from = 0;
-    bool ok = d <= 12 && et_exact_surface_partials(D, d, &s, row_real(r, at + 2), row_real(r, at + 3), row_size(r, at + 4) ? ET_SIDE_LEFT : ET_SIDE_RIGHT,
-                                                   row_size(r, at + 5) ? ET_SIDE_LEFT : ET_SIDE_RIGHT) == ET_OK &&
+    bool ok = d <= 12 &&
+              et_exact_surface_partials(D, d, &s, row_real(r, at + 2), row_real(r, at + 3), row_size(r, at + 4) ? ET_SIDE_LEFT : ET_SIDE_RIGHT,
+                                        row_size(r, at + 5) ? ET_SIDE_LEFT : ET_SIDE_RIGHT) == ET_OK &&
               are_points(r, &from, D + d * (d + 1) / 2 + b, NULL, 1);
     et_surface_free(&s);
     return ok ? PASS : FAIL;

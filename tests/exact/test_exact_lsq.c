@@ -1,5 +1,5 @@
-/* exact/exact_lsq: least squares of curves, grids and scattered points against the dense normal equations in rationals, with basis functions by de Boor's
- * algorithm; rank against echelon forms and the conditions of Schoenberg and Whitney. */
+/* exact/exact_lsq: least squares of curves, grids and scattered points against the dense normal equations in rationals, with basis functions by de
+ * Boor's algorithm; rank against echelon forms and the conditions of Schoenberg and Whitney. */
 #include "etalon/base/size.h"
 #include "etalon/exact/exact.h"
 #include "exact/exact_fit_parts.h"
@@ -117,7 +117,8 @@ static bool same_norms(gen *g, const fmpq_mat_t A, const et_exact_lsq *lsq)
     fmpq_mat_trace(trace, G);
     fmpq_mul(trace, trace, norm);
     ok = ok && gen_check(g, ref_same(lsq->norm, root(norm)), "norm %a, not %a", lsq->norm, root(norm));
-    ok = ok && gen_check(g, ref_same(lsq->condition, root(trace)) && lsq->condition >= (double)n, "condition %a, not %a", lsq->condition, root(trace));
+    ok =
+        ok && gen_check(g, ref_same(lsq->condition, root(trace)) && lsq->condition >= (double)n, "condition %a, not %a", lsq->condition, root(trace));
     fmpq_clear(norm);
     fmpq_clear(trace);
     fmpq_mat_clear(G);
@@ -130,7 +131,8 @@ static double component(et_vec3 P, slong a)
 }
 
 /* P and all the numbers of lsq, of A P = D. */
-static bool same_solution(gen *g, const et_vec3 *P, const et_exact_lsq *lsq, const fmpq_mat_t A, const et_vec3 *D, const bool *fixed, const size_t *at)
+static bool same_solution(gen *g, const et_vec3 *P, const et_exact_lsq *lsq, const fmpq_mat_t A, const et_vec3 *D, const bool *fixed,
+                          const size_t *at)
 {
     slong m = fmpq_mat_nrows(A), n = fmpq_mat_ncols(A);
     fmpq_mat_t X, B, R, x, r;
@@ -363,8 +365,10 @@ verdict prop_exact_fit_curve_ties(gen *g)
     D[0].z = 0x1p1023;
     D[1].z = DBL_MAX;
     t[1] = 0.5;                                            /* a straight line from 2^1023 through DBL_MAX and on */
-    ok = ok && gen_check(g, et_exact_fit_curve(P, 2, &lsq, u, 4, 1, t, D, 2) == ET_OK && P[0].z == 0x1p1023 && P[1].z == HUGE_VAL && lsq.solution.z == HUGE_VAL &&
-                                ref_same(lsq.residual.z, 0.0), "beyond the range: %a", P[1].z);
+    ok = ok && gen_check(g,
+                         et_exact_fit_curve(P, 2, &lsq, u, 4, 1, t, D, 2) == ET_OK && P[0].z == 0x1p1023 && P[1].z == HUGE_VAL &&
+                             lsq.solution.z == HUGE_VAL && ref_same(lsq.residual.z, 0.0),
+                         "beyond the range: %a", P[1].z);
     return ok ? PASS : FAIL;
 }
 
@@ -395,7 +399,8 @@ verdict prop_exact_fit_curve_scales(gen *g)
     et_status status = run_curve(P, &p, &b);
     bool ok = gen_check(g, run_curve(Q, &q, &c) == status, "another status");
     for (size_t j = 0; ok && status == ET_OK && j < b.n; j++) {
-        ok = gen_check(g, ref_same(Q[j].x, ldexp(P[j].x, f)) && ref_same(Q[j].y, ldexp(P[j].y, f)), "control point %zu: %a for %a 2^%d", j, Q[j].x, P[j].x, f);
+        ok = gen_check(g, ref_same(Q[j].x, ldexp(P[j].x, f)) && ref_same(Q[j].y, ldexp(P[j].y, f)), "control point %zu: %a for %a 2^%d", j, Q[j].x,
+                       P[j].x, f);
     }
     ok = ok && gen_check(g, status != ET_OK || (p.norm == q.norm && p.condition == q.condition && q.residual.x == ldexp(p.residual.x, f)), "norms");
     return ok ? PASS : FAIL;

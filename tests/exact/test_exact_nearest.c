@@ -1,5 +1,5 @@
-/* exact/exact_nearest: certified distances against those of polygons and planes, which are rational, against points all over, and against themselves after
- * changes that move nothing; the error of a surface against 5000 digits. */
+/* exact/exact_nearest: certified distances against those of polygons and planes, which are rational, against points all over, and against themselves
+ * after changes that move nothing; the error of a surface against 5000 digits. */
 #include "etalon/base/size.h"
 #include "etalon/exact/exact.h"
 #include "exact/exact_parts.h"
@@ -230,7 +230,8 @@ static void segment(fmpq_t q, et_vec3 A, et_vec3 B, et_vec3 P)
     _fmpq_vec_clear(v, 9);
 }
 
-/* A polygon, of degree 1 or of a higher one (its control points on each side at equal distances), with any weights: the least distance is rational. */
+/* A polygon, of degree 1 or of a higher one (its control points on each side at equal distances), with any weights: the least distance is rational.
+ */
 verdict prop_exact_curve_nearest_polygon(gen *g)
 {
     et_curve c;
@@ -301,8 +302,8 @@ verdict prop_exact_curve_nearest_jump(gen *g)
     et_vec3 P = {right ? 15.0 : 9.0, height, 0.0};
     bool ok = gen_check(g, et_exact_curve_nearest(&x, &distance, &lower, &c, P) == ET_OK, "status");
     double want = sqrt(1.0 + height * height);
-    ok = ok && gen_check(g, fabs(distance - want) <= 0x1p-40 * want && lower <= want * (1.0 + 0x1p-52) && lower >= want * (1.0 - 0x1p-39), "%a, %a for %a", lower,
-                         distance, want);
+    ok = ok && gen_check(g, fabs(distance - want) <= 0x1p-40 * want && lower <= want * (1.0 + 0x1p-52) && lower >= want * (1.0 - 0x1p-39),
+                         "%a, %a for %a", lower, distance, want);
     ok = ok && gen_check(g, right ? x == 1.0 : 1.0 - 0x1p-30 <= x && x < 1.0, "at %a", x);
     et_curve_free(&c);
     return ok ? PASS : FAIL;
@@ -373,7 +374,9 @@ verdict prop_exact_surface_nearest(gen *g)
     fmpq_t q;
     fmpq_init(q);
     bad.y = gen_upto(g, 1) ? NAN : HUGE_VAL;
-    ok = ok && gen_check(g, et_exact_surface_nearest(x, &distance, &lower, &s, bad) == ET_EINVAL && x[0] == -6.0 && x[1] == -7.0 && distance == -8.0 && lower == -9.0,
+    ok = ok && gen_check(g,
+                         et_exact_surface_nearest(x, &distance, &lower, &s, bad) == ET_EINVAL && x[0] == -6.0 && x[1] == -7.0 && distance == -8.0 &&
+                             lower == -9.0,
                          "a point that is not finite");
     et_status status = et_exact_surface_nearest(x, &distance, &lower, &s, P);
     if (ok && status == ET_ENOCONV && wide(s.weights, s.nu * s.nv)) {
@@ -391,8 +394,10 @@ verdict prop_exact_surface_nearest(gen *g)
         square_of(q, h, P);
         ok = gen_check(g, root_up(distance, q), "%a is not the distance at (%a, %a)", distance, x[0], x[1]);
         ok = ok && gen_check(g, 0.0 <= lower && lower <= distance, "bounds %a, %a", lower, distance);
-        ok = ok && gen_check(g, close_enough(distance, lower, size, true) || short_spans(s.u, s.nu + s.p + 1, s.p) ||
-                                    short_spans(s.v, s.nv + s.q + 1, s.q) || distance < 0x1p-25 * size, "bounds %a, %a: too far apart", lower, distance);
+        ok = ok && gen_check(g,
+                             close_enough(distance, lower, size, true) || short_spans(s.u, s.nu + s.p + 1, s.p) ||
+                                 short_spans(s.v, s.nv + s.q + 1, s.q) || distance < 0x1p-25 * size,
+                             "bounds %a, %a: too far apart", lower, distance);
     }
     for (size_t k = 0; ok && k < 12; k++) {
         u = k < 4 ? (k % 2 ? s.u[s.p] : s.u[s.nu]) : gen_parameter(g, s.u, s.nu + s.p + 1, s.p);
@@ -410,8 +415,8 @@ verdict prop_exact_surface_nearest(gen *g)
     return ok ? PASS : FAIL;
 }
 
-/* A plate [0, a] x [0, b] of any degrees, knots and weights, in the plane or on a cylinder over a polygon: the least distance is rational.  Its direction
- * of straight lines may be u or v. */
+/* A plate [0, a] x [0, b] of any degrees, knots and weights, in the plane or on a cylinder over a polygon: the least distance is rational.  Its
+ * direction of straight lines may be u or v. */
 verdict prop_exact_surface_nearest_plate(gen *g)
 {
     et_surface s;
@@ -541,7 +546,8 @@ verdict prop_exact_surface_nearest_paraboloid(gen *g)
     bool ok = gen_check(g, et_exact_surface_nearest(x, &distance, &lower, &s, P) == ET_OK, "status");
     gen_label(g, rest <= 0.0 ? "on the axis" : rest > most ? "at the border" : "all around");
     ok = ok && gen_check(g, fabs(distance - want) <= 0x1p-36 * (f + want), "%a for %a", distance, want);
-    ok = ok && gen_check(g, lower <= distance && close_enough(distance, lower, size_of(s.points, 3 * (p + 1)), ring), "%a, %a: too far apart", lower, distance);
+    ok = ok && gen_check(g, lower <= distance && close_enough(distance, lower, size_of(s.points, 3 * (p + 1)), ring), "%a, %a: too far apart", lower,
+                         distance);
     et_surface_free(&s);
     return ok ? PASS : FAIL;
 }
@@ -598,7 +604,8 @@ verdict prop_exact_surface_error(gen *g)
     ok = ok && gen_check(g, n == 0 || et_exact_surface_error(&sum, &greatest, &s, a, mu, b, mv, D) == ET_EINVAL, "a datum");
     D[n > 0 ? n - 1 : 0].z = 0.0;
     s.points[0].x = NAN;
-    ok = ok && gen_check(g, et_exact_surface_error(&sum, &greatest, &s, a, mu, b, mv, D) == ET_EINVAL && sum == -1.0 && greatest == -2.0, "not valid");
+    ok =
+        ok && gen_check(g, et_exact_surface_error(&sum, &greatest, &s, a, mu, b, mv, D) == ET_EINVAL && sum == -1.0 && greatest == -2.0, "not valid");
     mpfr_clears(total, most, x, d, (mpfr_ptr)0);
     fmpq_clear(q);
     _fmpq_vec_clear(h, 4);

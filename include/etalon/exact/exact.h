@@ -11,7 +11,8 @@
  * `bits`, where a function takes it, may be null: *bits is the precision to begin with (0: the function's own choice) and becomes the one at which
  * everything was decided (0: balls were not needed).  What is computed does not depend on it.
  *
- * Preconditions are those of the functions named.  FLINT ends the program when memory runs out; ET_ENOMEM tells only of sizes and of arrays of our own.
+ * Preconditions are those of the functions named.  FLINT ends the program when memory runs out; ET_ENOMEM tells only of sizes and of arrays of our
+ * own.
  */
 #ifndef ETALON_EXACT_EXACT_H
 #define ETALON_EXACT_EXACT_H
@@ -121,8 +122,8 @@ et_status et_exact_curve_ders(et_vec3 *D, size_t d, const et_curve *c, double x)
 */
 et_status et_exact_surface_point(et_vec3 *S, const et_surface *s, double u, double v);
 
-/* All partial derivatives of order up to d (any d): (d+1)(d+2)/2 of them, by order, and within an order by falling power of u: S, S_u, S_v, S_uu, S_uv,
- * S_vv, S_uuu, S_uuv, ...; for d = 2 the layout of et_surface_ders.  At inner knots from the right.  ET_EINVAL, ET_ENOMEM.
+/* All partial derivatives of order up to d (any d): (d+1)(d+2)/2 of them, by order, and within an order by falling power of u: S, S_u, S_v, S_uu,
+ * S_uv, S_vv, S_uuu, S_uuv, ...; for d = 2 the layout of et_surface_ders.  At inner knots from the right.  ET_EINVAL, ET_ENOMEM.
  * Golden: none (the rows of et_surface_ders are checked against it). */
 /*@ requires D:       \valid(D + (0 .. (d + 1) * (d + 2) / 2 - 1)) && \valid_read(s);
     requires storage: et_surface_readable((et_surface *)s);
@@ -152,8 +153,8 @@ et_status et_exact_surface_grid(et_vec3 *S, const et_surface *s, const double *a
 */
 et_status et_exact_param_row(double *t, size_t n, int *flat, const et_vec3 *D, size_t stride, et_param_method method, size_t *bits);
 
-/* Averages of the parameters of all lines (et_param_grid), each average rounded once.  ET_EINVAL, ET_ENOMEM; ET_ENOCONV when a tie of sums of different
- * roots cannot be decided by 2^16 bits.
+/* Averages of the parameters of all lines (et_param_grid), each average rounded once.  ET_EINVAL, ET_ENOMEM; ET_ENOCONV when a tie of sums of
+ * different roots cannot be decided by 2^16 bits.
  * Golden: none (the rows of et_param_grid are checked against it). */
 /*@ requires valid:     \valid(s + (0 .. nx - 1)) && \valid(r + (0 .. ny - 1)) && \valid(flat) && (bits == \null || \valid(bits));
     requires points:    \valid_read(D + (0 .. nx*ny - 1));
@@ -234,8 +235,8 @@ et_status et_exact_fit_solve(et_fit *fit, const et_vec3 *data, size_t nov, const
 et_status et_exact_fit_make(et_fit *fit, const et_vec3 *data, size_t nov, et_doublenet net, const et_fit_options *options, size_t *bits,
                             const et_task *task, et_message *message);
 
-/* The surface errors of et_fit_measure, each rounded once: every distance, both sums, both maxima.  ET_EINVAL (nov not the data's, a surface not valid, a
- * parameter not finite), ET_ENOMEM.
+/* The surface errors of et_fit_measure, each rounded once: every distance, both sums, both maxima.  ET_EINVAL (nov not the data's, a surface not
+ * valid, a parameter not finite), ET_ENOMEM.
  * Golden: none (the rows of et_fit_measure are checked against it). */
 /*@ requires valid:     \valid(error) && \valid_read(fit) && \valid_read(data + (0 .. nov - 1)) && (bits == \null || \valid(bits));
     requires residual:  residual == \null || \valid(residual + (0 .. nov - 1));
@@ -290,7 +291,8 @@ et_status et_exact_knots_greville(double *g, size_t n, const double *u, size_t n
 */
 et_status et_exact_curve_ders_side(et_vec3 *D, size_t d, const et_curve *c, double x, et_side side);
 
-/* D[(a+b)(a+b+1)/2 + b]: the derivative a times by u and b times by v, a + b <= d (any d), one-sided as in et_surface_partials.  ET_EINVAL, ET_ENOMEM.
+/* D[(a+b)(a+b+1)/2 + b]: the derivative a times by u and b times by v, a + b <= d (any d), one-sided as in et_surface_partials.  ET_EINVAL,
+ * ET_ENOMEM.
  * Golden: none (the rows of et_surface_partials are checked against it). */
 /*@ requires D:       \valid(D + (0 .. (d + 1) * (d + 2) / 2 - 1)) && \valid_read(s);
     requires storage: et_surface_readable((et_surface *)s);
@@ -309,8 +311,8 @@ et_status et_exact_surface_partials(et_vec3 *D, size_t d, const et_surface *s, d
 */
 et_status et_exact_surface_normal(et_vec3 *n, const et_surface *s, double u, double v);
 
-/* The same curve with the knot x of the closed domain `times` times more, behind those that equal it; control points, after the division by their exact
- * weights, and weights rounded once each.  times = 0: a copy (with +0 for -0).  What *refined held before is not freed.
+/* The same curve with the knot x of the closed domain `times` times more, behind those that equal it; control points, after the division by their
+ * exact weights, and weights rounded once each.  times = 0: a copy (with +0 for -0).  What *refined held before is not freed.
  * ET_EINVAL (curve not valid; x outside the domain, not finite or nearer than 2^-1022 to a knot that it does not equal; times > 0 and a multiplicity
  * beyond p + 1 afterwards), ET_ENOMEM.
  * Golden: none (the rows of et_curve_insert are checked against it). */
@@ -334,9 +336,9 @@ et_status et_exact_curve_insert(et_curve *refined, const et_curve *c, double x, 
 */
 et_status et_exact_curve_elevate(et_curve *elevated, const et_curve *c, size_t times);
 
-/* The knot x inside the open domain removed as often, at most `times`, as the curve (its homogeneous coordinates) stays exactly as it is and weights stay
- * positive; *removed: how often, which may be 0.  Control points and weights are rounded once each: beyond the range of doubles they become infinite,
- * weights below it 0, and the curve is then no valid one.
+/* The knot x inside the open domain removed as often, at most `times`, as the curve (its homogeneous coordinates) stays exactly as it is and weights
+ * stay positive; *removed: how often, which may be 0.  Control points and weights are rounded once each: beyond the range of doubles they become
+ * infinite, weights below it 0, and the curve is then no valid one.
  * ET_EINVAL (curve not valid; x is no knot inside the open domain), ET_ENOMEM.
  * Golden: none (the rows of et_curve_remove are checked against it). */
 /*@ requires reduced: \valid(reduced) && \valid(removed) && \valid_read(c);
@@ -384,17 +386,17 @@ et_status et_exact_surface_remove(et_surface *reduced, size_t *removed, const et
 
 /* ---- least squares with given parameters and knots ---- */
 
-/* What a bound for a computed solution needs, each number rounded once, to nearest.  A is the matrix of the basis functions at the parameters: N_j(t_i) of a
- * curve, N_i(a_k) M_j(b_k) of scattered points, Kronecker's product of both directions' of a grid, so that its norms are the products of theirs.
- * norm = |A|_F; condition = |A|_F |A+|_F = sqrt(tr(A'A) tr((A'A)^-1)).  With interpolated corners both are those of the same A, of the free problem: the
- * reduced one has some of its columns, so that its condition is no greater.
+/* What a bound for a computed solution needs, each number rounded once, to nearest.  A is the matrix of the basis functions at the parameters:
+ * N_j(t_i) of a curve, N_i(a_k) M_j(b_k) of scattered points, Kronecker's product of both directions' of a grid, so that its norms are the products
+ * of theirs.  norm = |A|_F; condition = |A|_F |A+|_F = sqrt(tr(A'A) tr((A'A)^-1)).  With interpolated corners both are those of the same A, of the
+ * free problem: the reduced one has some of its columns, so that its condition is no greater.
  * solution: |P|_2 over all control points, residual: |A P - D|_2 over all data, coordinate by coordinate. */
 typedef struct { double condition, norm; et_vec3 solution, residual; } et_exact_lsq;
 
-/* P[0..n-1]: the least squares curve of degree p with knots u through the m points D at parameters t, each coordinate rounded once; beyond the range of
- * doubles infinite.  Parameters in any order.
- * ET_EINVAL (p = 0, nu not n + p + 1, knots not valid, m = 0, a parameter outside the domain, a datum not finite); ET_ERANK: the columns of A depend on
- * each other (exactly), as they do where the conditions of Schoenberg and Whitney are violated; ET_ENOMEM.
+/* P[0..n-1]: the least squares curve of degree p with knots u through the m points D at parameters t, each coordinate rounded once; beyond the range
+ * of doubles infinite.  Parameters in any order.
+ * ET_EINVAL (p = 0, nu not n + p + 1, knots not valid, m = 0, a parameter outside the domain, a datum not finite); ET_ERANK: the columns of A depend
+ * on each other (exactly), as they do where the conditions of Schoenberg and Whitney are violated; ET_ENOMEM.
  * Golden: none (exact by definition; conformance vectors computed in Python's rationals agree). */
 /*@ requires valid:   \valid(P + (0 .. n - 1)) && \valid(lsq);
     requires read:    \valid_read(u + (0 .. nu - 1)) && \valid_read(t + (0 .. m - 1)) && \valid_read(D + (0 .. m - 1));
@@ -403,10 +405,11 @@ typedef struct { double condition, norm; et_vec3 solution, residual; } et_exact_
     ensures  norms:   \result == ET_OK ==> lsq->condition >= n && lsq->norm > 0.0;
     ensures  kept:    \result != ET_OK ==> *lsq == \old(*lsq) && \forall integer i; 0 <= i < n ==> P[i] == \old(P[i]);
 */
-et_status et_exact_fit_curve(et_vec3 *P, size_t n, et_exact_lsq *lsq, const double *u, size_t nu, size_t p, const double *t, const et_vec3 *D, size_t m);
+et_status et_exact_fit_curve(et_vec3 *P, size_t n, et_exact_lsq *lsq, const double *u, size_t nu, size_t p, const double *t, const et_vec3 *D,
+                             size_t m);
 
-/* P[i*nv + j]: the least squares surface of degrees p, q with knots u (nu + p + 1), v (nv + q + 1) through D[i*mv + j] at (a[i], b[j]); corners != 0: of
- * those whose four corners are the data's, the one of least squares (a constrained optimum).
+/* P[i*nv + j]: the least squares surface of degrees p, q with knots u (nu + p + 1), v (nv + q + 1) through D[i*mv + j] at (a[i], b[j]);
+ * corners != 0: of those whose four corners are the data's, the one of least squares (a constrained optimum).
  * ET_EINVAL as in et_exact_fit_curve; with corners also if knots are not clamped or the first and the last parameters are not the ends of the domain.
  * ET_ERANK: the columns of either direction's matrix depend on each other.  ET_ENOMEM.
  * Golden: none (exact by definition; conformance vectors computed in Python's rationals agree). */
@@ -418,8 +421,8 @@ et_status et_exact_fit_curve(et_vec3 *P, size_t n, et_exact_lsq *lsq, const doub
     ensures  norms:   \result == ET_OK ==> lsq->condition >= nu * nv && lsq->norm > 0.0;
     ensures  kept:    \result != ET_OK ==> *lsq == \old(*lsq) && \forall integer k; 0 <= k < nu * nv ==> P[k] == \old(P[k]);
 */
-et_status et_exact_fit_grid(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q, const double *a,
-                            size_t mu, const double *b, size_t mv, const et_vec3 *D, int corners);
+et_status et_exact_fit_grid(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q,
+                            const double *a, size_t mu, const double *b, size_t mv, const et_vec3 *D, int corners);
 
 /* P[i*nv + j]: the least squares surface through m points D[k] at (a[k], b[k]).  Errors as in et_exact_fit_curve.
  * Golden: none (exact by definition; conformance vectors computed in Python's rationals agree). */
@@ -431,18 +434,18 @@ et_status et_exact_fit_grid(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq,
     ensures  norms:   \result == ET_OK ==> lsq->condition >= nu * nv && lsq->norm > 0.0;
     ensures  kept:    \result != ET_OK ==> *lsq == \old(*lsq) && \forall integer k; 0 <= k < nu * nv ==> P[k] == \old(P[k]);
 */
-et_status et_exact_fit_scattered(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q, const double *a,
-                                 const double *b, const et_vec3 *D, size_t m);
+et_status et_exact_fit_scattered(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q,
+                                 const double *a, const double *b, const et_vec3 *D, size_t m);
 
 /* ---- distances ---- */
 
-/* The least distance of a point from the curve, over the closed domain, with both limits where the curve jumps.  *distance is the exact distance of the
- * point C(x) rounded up, *lower a proved lower bound: *lower <= the least distance <= *distance.  One of these holds:
+/* The least distance of a point from the curve, over the closed domain, with both limits where the curve jumps.  *distance is the exact distance of
+ * the point C(x) rounded up, *lower a proved lower bound: *lower <= the least distance <= *distance.  One of these holds:
  *     (1 - 2^-40) *distance <= *lower;
  *     *distance is at most 2^-40 times the size of the control net, the longest side of the box of its control points (then *lower is 0);
  *     what is nearer lies strictly between two neighbouring doubles as parameters (where the doubles of the domain lie far apart, or at a jump);
- *     (1 - 2^-20) *distance <= *lower where 2^12 pieces do not decide more, or (1 - 2^-10) *distance <= *lower where 2^14 do not: where the nearest points
- *     of a surface fill a curve across its parameters.
+ *     (1 - 2^-20) *distance <= *lower where 2^12 pieces do not decide more, or (1 - 2^-10) *distance <= *lower where 2^14 do not: where the nearest
+ *     points of a surface fill a curve across its parameters.
  * ET_EINVAL (curve not valid, point not finite), ET_ENOMEM, ET_ENOCONV: 2^16 pieces do not decide that either.
  * Golden: none (which of many nearest parameters is found is free; the distance is proved by each call). */
 /*@ requires valid:   \valid(x) && \valid(distance) && \valid(lower) && \separated(x, distance, lower) && \valid_read(c);
@@ -473,7 +476,8 @@ et_status et_exact_surface_nearest(double uv[2], double *distance, double *lower
     ensures  order:   \result == ET_OK ==> 0.0 <= *greatest <= *sum;
     ensures  kept:    \result != ET_OK ==> *sum == \old(*sum) && *greatest == \old(*greatest);
 */
-et_status et_exact_surface_error(double *sum, double *greatest, const et_surface *s, const double *a, size_t mu, const double *b, size_t mv, const et_vec3 *D);
+et_status et_exact_surface_error(double *sum, double *greatest, const et_surface *s, const double *a, size_t mu, const double *b, size_t mv,
+                                 const et_vec3 *D);
 
 #ifdef __cplusplus
 }
