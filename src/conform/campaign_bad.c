@@ -185,9 +185,6 @@ static int bad_counts(campaign_maker *m, size_t kind)
         }
         return 1;
     }
-    case ET_OP_FIT_CURVE: campaign_count(m, 0, 0); return 1;
-    case ET_OP_FIT_GRID: campaign_count(m, kind % 2 ? 1 : 2, 0); return 1;
-    case ET_OP_FIT_SCATTERED: campaign_count(m, kind % 2 ? 0 : 1, 0); return 1;
     case ET_OP_APPROXIMATE:
         campaign_count(m, 2 + (int)(kind % 2), kind % 4 < 2 ? value(m, (int)(kind % 2))->count : 0);
         return 1;

@@ -146,7 +146,7 @@ void campaign_relate_edited(campaign_relation *r, et_request_op op)
 void campaign_relate_removed(campaign_relation *r)
 {
     static const et_category exact[] = {ET_CATEGORY_EDITING};
-    et_request q;
+    et_request q = {ET_OPS, {{0, NULL}}};                 /* that it may be freed when it could not be made */
     et_reply inserted, back;
     et_curve c;
     size_t at = 0;

@@ -16,7 +16,7 @@ enum { USUAL = sizeof usual / sizeof usual[0], BASES = sizeof bases / sizeof bas
 void campaign_relate_order(campaign_relation *r, et_request_op op, et_request_op plain)
 {
     const int basis = op == ET_OP_BASIS_DERS;
-    et_request q;
+    et_request q = {ET_OPS, {{0, NULL}}};                 /* that it may be freed when it could not be made */
     et_reply with, without;
     size_t n, m;
     if (!campaign_base(r, op, basis ? bases : usual, basis ? (size_t)BASES : (size_t)USUAL)) {
@@ -162,7 +162,7 @@ static int move(campaign_relation *r, et_request *q, int how, size_t axis, doubl
 
 void campaign_relate_moved(campaign_relation *r, et_request_op op, int how)
 {
-    et_request q;
+    et_request q = {ET_OPS, {{0, NULL}}};                 /* that it may be freed when it could not be made */
     et_reply before, after;
     size_t n, m;
     double shift[3] = {0.0, 0.0, 0.0};
@@ -217,7 +217,7 @@ static void transpose(et_request_value *v, const et_request_value *old, size_t n
 
 void campaign_relate_transposed(campaign_relation *r)
 {
-    et_request q;
+    et_request q = {ET_OPS, {{0, NULL}}};                 /* that it may be freed when it could not be made */
     et_reply before, after;
     size_t n, m;
     if (!campaign_base(r, ET_OP_SURFACE_DERS, usual, USUAL) || !campaign_again(r, &q)) {
@@ -275,7 +275,7 @@ static int smooth_knot(campaign_relation *r, double *x)
 void campaign_relate_limits(campaign_relation *r)
 {
     static const et_category knotted[] = {ET_CATEGORY_PLAIN, ET_CATEGORY_REPEATED_KNOTS, ET_CATEGORY_WEIGHTS};
-    et_request q;
+    et_request q = {ET_OPS, {{0, NULL}}};                 /* that it may be freed when it could not be made */
     et_reply right, left;
     size_t n;
     if (!campaign_base(r, ET_OP_CURVE_POINT, knotted, 3)) {
@@ -307,7 +307,7 @@ void campaign_relate_limits(campaign_relation *r)
 /* With x = u_k < u_k+1: as many knots up to number k equal x as multiplicity says. */
 void campaign_relate_spans(campaign_relation *r)
 {
-    et_request q;
+    et_request q = {ET_OPS, {{0, NULL}}};                 /* that it may be freed when it could not be made */
     et_reply span, count;
     if (!campaign_base(r, ET_OP_SPAN, bases, BASES)) {
         return;
@@ -343,7 +343,7 @@ void campaign_relate_spans(campaign_relation *r)
 void campaign_relate_greville(campaign_relation *r)
 {
     static const et_category few[] = {ET_CATEGORY_PLAIN, ET_CATEGORY_REPEATED_KNOTS, ET_CATEGORY_DEGREES};
-    et_request q;
+    et_request q = {ET_OPS, {{0, NULL}}};                 /* that it may be freed when it could not be made */
     et_reply g, C;
     size_t n, m;
     if (!campaign_base(r, ET_OP_CURVE_POINT, few, 3)) {

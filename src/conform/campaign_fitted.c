@@ -24,7 +24,7 @@ static void move_data(campaign_relation *r, et_request_value *P, int how, double
 
 void campaign_relate_parameters(campaign_relation *r, int how)
 {
-    et_request q;
+    et_request q = {ET_OPS, {{0, NULL}}};                 /* that it may be freed when it could not be made */
     et_reply before, after;
     size_t n, m;
     double shift[3];
@@ -78,7 +78,7 @@ static void reverse_fit(et_request *q)
 
 void campaign_relate_fitted(campaign_relation *r, et_request_op op, int how)
 {
-    et_request q;
+    et_request q = {ET_OPS, {{0, NULL}}};                 /* that it may be freed when it could not be made */
     et_reply before, after;
     size_t n, m;
     double shift[3] = {0.0, 0.0, 0.0};
@@ -285,7 +285,7 @@ static et_vec3 point(campaign_relation *r, const et_surface *s, double u, double
  * mirror image than a few of the data's distances. */
 void campaign_relate_approximate(campaign_relation *r, int how)
 {
-    et_request q;
+    et_request q = {ET_OPS, {{0, NULL}}};                 /* that it may be freed when it could not be made */
     et_surface a, b;
     double shift[3] = {0.0, 0.0, 0.0};
     int power = 0;
@@ -413,7 +413,7 @@ void campaign_relate_nearest(campaign_relation *r, et_request_op op)
 void campaign_relate_net(campaign_relation *r)
 {
     static const et_category sizes[] = {ET_CATEGORY_PLAIN, ET_CATEGORY_END_OF_DOMAIN, ET_CATEGORY_SEAM, ET_CATEGORY_SIZE};
-    et_request q;
+    et_request q = {ET_OPS, {{0, NULL}}};                 /* that it may be freed when it could not be made */
     et_reply node, class;
     if (!campaign_base(r, ET_OP_NET_NODE, sizes, 4)) {
         return;

@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Level 0: cases of each operation and category; level 3: neighbours tried of each operation, cases of each relation, at least. */
-enum { SMOKE = 2, NEIGHBOURS = 100, RELATED = 20 };
+enum { SMOKE = 8, NEIGHBOURS = 100, RELATED = 20 };
 
 et_conform_options et_conform_defaults(void)
 {

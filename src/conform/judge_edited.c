@@ -73,21 +73,41 @@ static et_status run(judge_shape *made, size_t *removed, const judge_shape *f, c
     }
 }
 
-/* The same edit of the magnitudes |P|, or w |P|, as coefficients.  ET_EINVAL if one overflows. */
-static et_status run_magnitudes(judge_shape *made, const judge_shape *f, const judge_editing *e)
+/* widest[i]: coordinate by coordinate the greatest of all at most p places away in the direction that is edited, p its degree. */
+static void widen(et_vec3 *widest, const et_vec3 *P, const judge_shape *f, const judge_editing *e)
+{
+    const int along_u = f->curve || e->along == ET_ALONG_U;
+    const size_t n = f->curve ? f->c.n : along_u ? f->s.nu : f->s.nv, step = f->curve || !along_u ? 1 : f->s.nv;
+    const size_t p = f->curve ? f->c.p : along_u ? f->s.p : f->s.q;
+
+    for (size_t k = 0; k < judge_shape_size(f); k++) {
+        const size_t i = k / step % n, first = i < p ? 0 : i - p, last = n - 1 - i < p ? n - 1 : i + p;
+        const et_vec3 *line = P + (k - i * step);
+        et_vec3 most = { 0, 0, 0 };
+        for (size_t j = first; j <= last; j++) {
+            const et_vec3 Q = line[j * step];
+            most = (et_vec3){ fmax(most.x, Q.x), fmax(most.y, Q.y), fmax(most.z, Q.z) };
+        }
+        widest[k] = most;
+    }
+}
+
+/* The same edit of the magnitudes |P|, or w |P|, or, heavy, (w, w, w), as coefficients, each the greatest near it.  ET_EINVAL if one overflows. */
+static et_status run_magnitudes(judge_shape *made, const judge_shape *f, const judge_editing *e, int heavy)
 {
     const size_t n = judge_shape_size(f);
     const double *w = judge_shape_weights(f);
-    et_vec3 *P = et_size_array(n, sizeof *P);
+    et_vec3 *P = et_size_array(n, 2 * sizeof *P);
     judge_shape g = *f;
 
     if (!P)
         return ET_ENOMEM;
     for (size_t i = 0; i < n; i++) {
-        const et_vec3 Q = judge_shape_points(f)[i];
+        const et_vec3 Q = heavy ? (et_vec3){ 1, 1, 1 } : judge_shape_points(f)[i];
         const double v = w ? w[i] : 1;
-        P[i] = (et_vec3){ v * fabs(Q.x), v * fabs(Q.y), v * fabs(Q.z) };
+        P[n + i] = (et_vec3){ v * fabs(Q.x), v * fabs(Q.y), v * fabs(Q.z) };
     }
+    widen(P, P + n, f, e);
     g.c.points = g.s.points = P;
     g.c.weights = g.s.weights = NULL;
     const et_status status = run(made, NULL, &g, e);
@@ -126,8 +146,8 @@ double judge_edit_k(const judge_shape *f, const judge_editing *e)
     return 16 * (double)(p + e->r + 1);
 }
 
-/* R: the magnitudes; null where they overflow. */
-static void put_edited(judge_list *list, const judge_shape *made, const judge_shape *R, double K)
+/* R: the magnitudes, null where they overflow; heavy: those of the weights, if there are. */
+static void put_edited(judge_list *list, const judge_shape *made, const judge_shape *R, const judge_shape *heavy, double K)
 {
     const size_t n = judge_shape_size(made);
     const double *w = judge_shape_weights(made), ku = K * ET_UNIT;
@@ -138,12 +158,12 @@ static void put_edited(judge_list *list, const judge_shape *made, const judge_sh
             const double x = judge_coordinate(&judge_shape_points(made)[i], c);
             double B = R ? ku * judge_coordinate(&judge_shape_points(R)[i], c) + K * eta : INFINITY;
             if (w)
-                B = (B + judge_times(fabs(x), ku * w[i] + K * eta)) / w[i] + K * eta;
+                B = (B + judge_times(fabs(x), ku * judge_shape_points(heavy)[i].x + K * eta)) / w[i] + K * eta;
             judge_put_bound(list, x, B, ku);
         }
     put_count(list, w ? n : 0);
     for (size_t i = 0; w && i < n; i++)
-        judge_put_bound(list, w[i], 2 * ku * w[i] + 2 * K * eta, ku);
+        judge_put_bound(list, w[i], 2 * ku * judge_shape_points(heavy)[i].x + 2 * K * eta, ku);
 }
 
 static void put_removed(judge_list *list, const judge_shape *made, size_t removed, const judge_shape *f, double tolerance, double K)
@@ -167,9 +187,26 @@ static void put_removed(judge_list *list, const judge_shape *made, size_t remove
         judge_put_bound(list, w[i], 2 * ku * heaviest + 2 * K * eta, ku);
 }
 
+static et_status put_with_bounds(judge_list *list, const judge_shape *made, const judge_shape *f, const judge_editing *e)
+{
+    judge_shape R, heavy;
+    const et_status magnitudes = run_magnitudes(&R, f, e, 0);
+    et_status status = magnitudes == ET_EINVAL ? ET_OK : magnitudes;
+
+    if (status == ET_OK)
+        status = run_magnitudes(&heavy, f, e, 1);
+    if (status == ET_OK) {
+        put_edited(list, made, magnitudes == ET_OK ? &R : NULL, &heavy, judge_edit_k(f, e));
+        judge_shape_free(&heavy);
+    }
+    if (magnitudes == ET_OK)
+        judge_shape_free(&R);
+    return status;
+}
+
 et_status judge_edited(judge_list *list, const et_request *request)
 {
-    judge_shape f, made, R;
+    judge_shape f, made;
     judge_editing e;
     size_t removed = 0;
     et_status status = judge_edit_of(&f, &e, request);
@@ -178,16 +215,10 @@ et_status judge_edited(judge_list *list, const et_request *request)
         status = run(&made, &removed, &f, &e);
     if (status != ET_OK)
         return status;
-    if (e.op == ET_OP_CURVE_REMOVE || e.op == ET_OP_SURFACE_REMOVE) {
+    if (e.op == ET_OP_CURVE_REMOVE || e.op == ET_OP_SURFACE_REMOVE)
         put_removed(list, &made, removed, &f, e.tolerance, judge_edit_k(&f, &e));
-    } else {
-        const et_status magnitudes = run_magnitudes(&R, &f, &e);
-        status = magnitudes == ET_EINVAL ? ET_OK : magnitudes;
-        if (status == ET_OK)
-            put_edited(list, &made, magnitudes == ET_OK ? &R : NULL, judge_edit_k(&f, &e));
-        if (magnitudes == ET_OK)
-            judge_shape_free(&R);
-    }
+    else
+        status = put_with_bounds(list, &made, &f, &e);
     judge_shape_free(&made);
     return status;
 }

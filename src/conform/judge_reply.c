@@ -133,18 +133,6 @@ static et_status numbers(et_judgement *judgement, const et_request *request, con
 
 /* ---- all ---- */
 
-static void anything_finite(et_judgement *judgement, const et_reply *reply)
-{
-    judgement->verdict = ET_VERDICT_WITHIN_BOUND;
-    for (size_t i = 0; i < reply->count; i++)
-        if (!isfinite(reply->x[i])) {
-            judgement->at = i;
-            judgement->got = reply->x[i];
-            judge_say(judgement, ET_VERDICT_NON_FINITE, "number %zu of the answer is %a", i, reply->x[i]);
-            return;
-        }
-}
-
 static et_status answered(et_judgement *j, const et_request *request, const et_truth *truth, const et_reply *reply)
 {
     if (truth->validity == ET_INVALID) {
@@ -154,7 +142,7 @@ static et_status answered(et_judgement *j, const et_request *request, const et_t
     if (request->op == ET_OP_APPROXIMATE && truth->validity == ET_VALID)
         return judge_approximate(j, request, reply);
     if (truth->count == 0) {
-        anything_finite(j, reply);
+        j->verdict = ET_VERDICT_WITHIN_BOUND;
         return ET_OK;
     }
     switch (request->op) {

@@ -396,7 +396,7 @@ static int determined(const et_request_value *u, size_t p, const et_request_valu
 static int sites(judge_case *c, const et_request_value *u, size_t p, const et_request_value *t)
 {
     if (p == 0)
-        invalid(c, "degree 0 cannot be fitted");
+        unknown(c, "degree 0 is seldom fitted");
     if (!finite(t->x, t->count)) {
         invalid(c, "a parameter is not finite");
         return 0;
@@ -475,7 +475,7 @@ static void approximate(judge_case *c, const et_request_value *a)
     const size_t p = a[0].count, q = a[1].count, nu = a[2].count, nv = a[3].count, mx = a[4].count, my = a[5].count;
 
     if (p == 0 || q == 0)
-        invalid(c, "degree 0 cannot be fitted");
+        unknown(c, "degree 0 is seldom fitted");
     if (nu <= p || nv <= q)
         invalid(c, "fewer than p + 1 control points");
     if (mx < 2 || my < 2)

@@ -54,7 +54,7 @@ verdict prop_judge_reply(gen *g)
         j = kit_judge(g, &r, &t, x, 1);
         ok = kit_is(g, &j, t.validity == ET_INVALID ? ET_VERDICT_WRONGLY_ACCEPTED : ET_VERDICT_WITHIN_BOUND, "any number");
         j = kit_judge(g, &r, &t, x, 2);
-        ok = ok && kit_is(g, &j, t.validity == ET_INVALID ? ET_VERDICT_WRONGLY_ACCEPTED : ET_VERDICT_NON_FINITE, "no number");
+        ok = ok && kit_is(g, &j, t.validity == ET_INVALID ? ET_VERDICT_WRONGLY_ACCEPTED : ET_VERDICT_WITHIN_BOUND, "no number");
     }
     ok = ok && gen_check(g, !et_judge_bad(j.verdict) || j.text[0], "no sentence");
     return end(&r, &t, ok);

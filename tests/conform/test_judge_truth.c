@@ -309,8 +309,21 @@ static void magnitudes(et_vec3 *P, const et_vec3 *Q, const double *w, size_t n)
     }
 }
 
-/* want is the answer put; R the sums of magnitudes, n of them behind the head of `head` numbers. */
-static bool edited(gen *g, const et_truth *t, const et_reply *want, size_t head, const et_vec3 *R, size_t n, const double *w, double K)
+/* Each of the n numbers of a line, `step` apart, becomes the greatest of its neighbours' up to p places away: p times the greatest of three. */
+static void widen(et_vec3 *P, size_t n, size_t step, size_t p)
+{
+    for (size_t k = 0; k < p; k++) {
+        et_vec3 before = P[0];
+        for (size_t i = 0; i < n; i++) {
+            const et_vec3 here = P[i * step], after = P[(i + 1 < n ? i + 1 : i) * step];
+            P[i * step] = (et_vec3){ fmax(fmax(before.x, here.x), after.x), fmax(fmax(before.y, here.y), after.y), fmax(fmax(before.z, here.z), after.z) };
+            before = here;
+        }
+    }
+}
+
+/* want is the answer put; R the sums of magnitudes, n of them behind the head of `head` numbers; W those of the weights. */
+static bool edited(gen *g, const et_truth *t, const et_reply *want, size_t head, const et_vec3 *R, const et_vec3 *W, size_t n, const double *w, double K)
 {
     bool ok = gen_check(g, t->count == want->count, "%zu numbers, not %zu", t->count, want->count);
 
@@ -323,18 +336,18 @@ static bool edited(gen *g, const et_truth *t, const et_reply *want, size_t head,
             double B = K * 0x1p-53 * part(R[(i - head) / 3], (i - head) % 3) + K * 0x1p-1074;
             const double v = w ? w[(i - head) / 3] : 1;
             if (w)
-                B = (B + product(fabs(t->want[i]), K * 0x1p-53 * v + K * 0x1p-1074)) / v + K * 0x1p-1074;
+                B = (B + product(fabs(t->want[i]), K * 0x1p-53 * W[(i - head) / 3].x + K * 0x1p-1074)) / v + K * 0x1p-1074;
             ok = close_to(g, t->bound[i], t->want[i], B, "number", i);
         } else {
-            ok = close_to(g, t->bound[i], t->want[i], 2 * K * 0x1p-53 * t->want[i] + 2 * K * 0x1p-1074, "weight", i);
+            ok = close_to(g, t->bound[i], t->want[i], 2 * K * 0x1p-53 * W[i - head - 3 * n - 1].x + 2 * K * 0x1p-1074, "weight", i);
         }
     return ok;
 }
 
 static bool curve_edited(gen *g, const et_request *r, const et_truth *t)
 {
-    static et_vec3 P[MOST];
-    et_curve c, made, sizes, of = { 0 };
+    static et_vec3 P[MOST], Q[MOST];
+    et_curve c, made, sizes, heavy, of = { 0 };
     bool ok = et_request_curve(&c, r, 0) == ET_OK && c.n < MOST;
     const et_request_value *a = r->arg + 4;
     const bool inserts = r->op == ET_OP_CURVE_INSERT;
@@ -343,6 +356,10 @@ static bool curve_edited(gen *g, const et_request *r, const et_truth *t)
     if (!ok)
         return true;
     magnitudes(P, c.points, c.weights, c.n);
+    for (size_t i = 0; i < c.n; i++)
+        Q[i].x = c.weights ? c.weights[i] : 1;
+    widen(P, c.n, 1, c.p);
+    widen(Q, c.n, 1, c.p);
     of = c;
     of.points = P;
     of.weights = NULL;
@@ -350,20 +367,23 @@ static bool curve_edited(gen *g, const et_request *r, const et_truth *t)
         return true;
     ok = (inserts ? et_exact_curve_insert(&made, &c, a[0].x[0], times) : et_exact_curve_elevate(&made, &c, times)) == ET_OK
          && (inserts ? et_curve_insert(&sizes, &of, a[0].x[0], times) : et_curve_elevate(&sizes, &of, times)) == ET_OK;
+    of.points = Q;
+    ok = ok && (inserts ? et_curve_insert(&heavy, &of, a[0].x[0], times) : et_curve_elevate(&heavy, &of, times)) == ET_OK;
     if (!gen_check(g, ok, "not edited"))
         return false;
     et_reply want = put(&made, NULL, 0, false);
-    ok = edited(g, t, &want, 2 + made.n + made.p + 1 + 1, sizes.points, made.n, made.weights, 16 * (double)(c.p + times + 1));
+    ok = edited(g, t, &want, 2 + made.n + made.p + 1 + 1, sizes.points, heavy.points, made.n, made.weights, 16 * (double)(c.p + times + 1));
     et_reply_free(&want);
     et_curve_free(&made);
     et_curve_free(&sizes);
+    et_curve_free(&heavy);
     return ok;
 }
 
 static bool surface_edited(gen *g, const et_request *r, const et_truth *t)
 {
-    static et_vec3 P[MOST];
-    et_surface s, made, sizes, of;
+    static et_vec3 P[MOST], Q[MOST];
+    et_surface s, made, sizes, heavy, of;
     const et_request_value *a = r->arg + 7;
     const bool inserts = r->op == ET_OP_SURFACE_INSERT;
     const et_direction along = r->arg[6].count ? ET_ALONG_V : ET_ALONG_U;
@@ -372,6 +392,12 @@ static bool surface_edited(gen *g, const et_request *r, const et_truth *t)
     if (et_request_surface(&s, r, 0) != ET_OK || s.nu * s.nv >= MOST)
         return true;
     magnitudes(P, s.points, s.weights, s.nu * s.nv);
+    for (size_t i = 0; i < s.nu * s.nv; i++)
+        Q[i].x = s.weights ? s.weights[i] : 1;
+    for (size_t i = 0; i < (along == ET_ALONG_U ? s.nv : s.nu); i++)
+        for (int heavier = 0; heavier < 2; heavier++)
+            widen((heavier ? Q : P) + (along == ET_ALONG_U ? i : i * s.nv), along == ET_ALONG_U ? s.nu : s.nv, along == ET_ALONG_U ? s.nv : 1,
+                  along == ET_ALONG_U ? s.p : s.q);
     of = s;
     of.points = P;
     of.weights = NULL;
@@ -379,14 +405,17 @@ static bool surface_edited(gen *g, const et_request *r, const et_truth *t)
         return true;
     bool ok = (inserts ? et_exact_surface_insert(&made, &s, along, a[0].x[0], times) : et_exact_surface_elevate(&made, &s, along, times)) == ET_OK
               && (inserts ? et_surface_insert(&sizes, &of, along, a[0].x[0], times) : et_surface_elevate(&sizes, &of, along, times)) == ET_OK;
+    of.points = Q;
+    ok = ok && (inserts ? et_surface_insert(&heavy, &of, along, a[0].x[0], times) : et_surface_elevate(&heavy, &of, along, times)) == ET_OK;
     if (!gen_check(g, ok, "not edited"))
         return false;
     et_reply want = put(NULL, &made, 0, false);
-    ok = edited(g, t, &want, 4 + made.nu + made.p + 1 + made.nv + made.q + 1 + 1, sizes.points, made.nu * made.nv, made.weights,
+    ok = edited(g, t, &want, 4 + made.nu + made.p + 1 + made.nv + made.q + 1 + 1, sizes.points, heavy.points, made.nu * made.nv, made.weights,
                 16 * (double)((along == ET_ALONG_U ? s.p : s.q) + times + 1));
     et_reply_free(&want);
     et_surface_free(&made);
     et_surface_free(&sizes);
+    et_surface_free(&heavy);
     return ok;
 }
 

@@ -15,12 +15,18 @@ from rational import nearest
 
 
 def coefficients(P, w):
-    """w, wx, wy, wz exactly, and what the bounds are made of: w, fl(w |x|), ..."""
+    """w, wx, wy, wz exactly, and what the bounds are made of: fl(w |x|), ..., w; widen() goes with it"""
     out = []
     for k, q in enumerate(P):
         g = w[k] if w else 1.0
-        out.append([F(g)] + [F(g) * F(x) for x in q] + [F(g * abs(x)) for x in q])
+        out.append([F(g)] + [F(g) * F(x) for x in q] + [F(g * abs(x)) for x in q] + [F(g)])
     return out
+
+
+def widen(line, p):
+    """What the bounds are made of becomes the greatest at most p places away: 1 - a may cancel, where a is a coefficient."""
+    near = [line[max(0, i - p):i + p + 1] for i in range(len(line))]
+    return [c[:4] + [max(q[k] for q in at) for k in range(4, 8)] for c, at in zip(line, near)]
 
 
 def blend(a, x, y):
@@ -106,20 +112,20 @@ def listed(C, rational, K):
     want, bound = [Count(len(C))], [None]
     weights = []
     for W, *rest in C:
-        for h, a in zip(rest[:3], rest[3:]):
+        for h, a in zip(rest[:3], rest[3:6]):
             if not rational:
                 want.append(h)
                 bound.append((K, K * U * a + K * LEAST))
             else:
                 v = h / W
                 want.append(v)
-                bound.append((K, (K * U * a + K * LEAST + abs(v) * (K * U * W + K * LEAST)) / W + K * LEAST))
-        weights.append(W)
+                bound.append((K, (K * U * a + K * LEAST + abs(v) * (K * U * rest[6] + K * LEAST)) / W + K * LEAST))
+        weights.append((W, rest[6]))
     want.append(Count(len(weights) if rational else 0))
     bound.append(None)
     if rational:
-        want += weights
-        bound += [(K, 2 * K * U * W + 2 * K * LEAST) for W in weights]
+        want += [W for W, _ in weights]
+        bound += [(K, 2 * K * U * most + 2 * K * LEAST) for _, most in weights]
     return want, bound
 
 
@@ -180,7 +186,7 @@ def curve_insert(op, category, c, x, r, issue=None, comment=None):
         kind = worse(kind, place_to_insert(c.u, c.p, x, r), DEFINED if c.p == 0 else VALID)
 
     def result():
-        u, C = insert(c.u, c.p, coefficients(c.P, c.w), x, r)
+        u, C = insert(c.u, c.p, widen(coefficients(c.P, c.w), c.p), x, r)
         return reply_of([c.p], [u], C, bool(c.w), 16 * (c.p + r + 1))
     give(op, category, [c.args(), x, r], kind, sure(kind, c.u, w=c.w) and c.p and not too_near(c.u, x, r), result, issue, comment)
 
@@ -191,7 +197,7 @@ def curve_elevate(op, category, c, r, issue=None, comment=None):
         kind = worse(kind, VALID if is_clamped(c.u, c.p) and c.p and r <= 64 else DEFINED)
 
     def result():
-        u, C = elevate(c.u, c.p, coefficients(c.P, c.w), r)
+        u, C = elevate(c.u, c.p, widen(coefficients(c.P, c.w), c.p), r)
         return reply_of([c.p + r], [u], C, bool(c.w), 16 * (c.p + r + 1))
     give(op, category, [c.args(), r], kind, sure(kind, c.u, w=c.w) and c.p and is_clamped(c.u, c.p) and r <= 64, result, issue, comment)
 
@@ -257,7 +263,7 @@ def edited(op, category, s, along, args, place, work, right=True, issue=None, co
         kind = worse(kind, place(u, p), DEFINED if s.p * s.q == 0 else VALID)
 
     def result():
-        degree, new, lines, finish = work(u, p, lines_of(s, coefficients(s.P, s.w), along))
+        degree, new, lines, finish = work(u, p, [widen(line, p) for line in lines_of(s, coefficients(s.P, s.w), along)])
         degrees = [degree, s.q] if along == "u" else [s.p, degree]
         knots = [new, s.v] if along == "u" else [s.u, new]
         return finish(degrees, knots, together(lines, along))

@@ -266,10 +266,10 @@ def give(op, category, args, kind, right, X, bounds, **more):
 def fit_curve(op, category, p, u, t, P, issue=None, comment=None):
     args, more = [p, reals(u), reals(t), points(P)], {"issue": issue, "comment": comment}
     kind = knots_kind(p, u)
-    if kind == INVALID or p == 0 or len(t) != len(P) or not finite(t, *P) or not t or outside_it(u, p, t):
+    if kind == INVALID or len(t) != len(P) or not finite(t, *P) or not t or outside_it(u, p, t):
         op.add(category, args, INVALID, **more)
         return
-    if not sure(kind, u) or on_full_knot(u, p, t):
+    if p == 0 or not sure(kind, u) or on_full_knot(u, p, t):
         op.add(category, args, DEFINED, **more)
         return
     A = System(collocation(u, p, t))
@@ -373,7 +373,7 @@ def fit_curves():
     fit_curve(op, "bad_input", p, u, [], [], comment="no data")
     fit_curve(op, "bad_input", p, u, [-0.25, 0.25, 0.5, 0.75, 1.0], P, comment="a parameter outside the domain")
     fit_curve(op, "bad_input", p, u, [0.0, 0.25, 0.5, 0.75, 1.25], P, comment="a parameter outside the domain")
-    fit_curve(op, "bad_input", 0, [0.0, 0.5, 1.0], t, P, comment="degree 0")
+    fit_curve(op, "degrees", 0, [0.0, 0.5, 1.0], t, P, comment="degree 0: may be refused")
     fit_curve(op, "plain", p, u, t[::-1], P, comment="parameters in another order")
     return op
 
@@ -381,10 +381,10 @@ def fit_curves():
 def fit_grid(op, category, corners, p, q, u, v, s, r, P, issue=None, comment=None):
     args, more = [corners, p, q, reals(u), reals(v), reals(s), reals(r), points(P)], {"issue": issue, "comment": comment}
     kind = worse(knots_kind(p, u), knots_kind(q, v))
-    if kind == INVALID or p * q == 0 or len(s) * len(r) != len(P) or not finite(s, r, *P) or not P or outside_it(u, p, s) or outside_it(v, q, r):
+    if kind == INVALID or len(s) * len(r) != len(P) or not finite(s, r, *P) or not P or outside_it(u, p, s) or outside_it(v, q, r):
         op.add(category, args, INVALID, **more)
         return
-    if not sure(kind, u, v) or on_full_knot(u, p, s) or on_full_knot(v, q, r):
+    if p * q == 0 or not sure(kind, u, v) or on_full_knot(u, p, s) or on_full_knot(v, q, r):
         op.add(category, args, DEFINED, **more)
         return
     A, B = System(collocation(u, p, s)), System(collocation(v, q, r))
@@ -466,7 +466,7 @@ def fit_grids():
         fit_grid(op, "bad_input", corners, 2, 1, u, v, [0.0, NAN, 0.5, 0.75, 1.0], r, P, comment="a parameter is NaN")
         fit_grid(op, "bad_input", corners, 2, 1, u, v, s, [0.0, 0.5, 1.5], P, comment="a parameter outside the domain")
         fit_grid(op, "bad_input", corners, 2, 1, u, v, s, r, [(INF, 0.0, 0.0)] + P[1:], comment="a datum is infinite")
-        fit_grid(op, "bad_input", corners, 0, 1, [0.0, 0.5, 1.0], v, s, r, P, comment="degree 0")
+        fit_grid(op, "degrees", corners, 0, 1, [0.0, 0.5, 1.0], v, s, r, P, comment="degree 0: may be refused")
         fit_grid(op, "bad_input", corners, 2, 1, u, v, [], [], [], comment="no data")
     for what, bad in bad_knots(u, 2):
         fit_grid(op, "bad_input", "free", 2, 1, bad, v, s, r, P, comment=what)
@@ -491,10 +491,10 @@ def fit_grids():
 def fit_scattered(op, category, p, q, u, v, a, b, P, issue=None, comment=None):
     args, more = [p, q, reals(u), reals(v), reals(a), reals(b), points(P)], {"issue": issue, "comment": comment}
     kind = worse(knots_kind(p, u), knots_kind(q, v))
-    if kind == INVALID or p * q == 0 or not len(a) == len(b) == len(P) or not finite(a, b, *P) or not P or outside_it(u, p, a) or outside_it(v, q, b):
+    if kind == INVALID or len(P) < (len(u) - p - 1) * (len(v) - q - 1) or not len(a) == len(b) == len(P) or not finite(a, b, *P) or not P or outside_it(u, p, a) or outside_it(v, q, b):
         op.add(category, args, INVALID, **more)
         return
-    if not sure(kind, u, v) or on_full_knot(u, p, a) or on_full_knot(v, q, b):
+    if p * q == 0 or not sure(kind, u, v) or on_full_knot(u, p, a) or on_full_knot(v, q, b):
         op.add(category, args, DEFINED, **more)
         return
     A = System([[x * y for x in r for y in s] for r, s in zip(collocation(u, p, a), collocation(v, q, b))])
@@ -545,7 +545,7 @@ def fit_scatters():
     fit_scattered(op, "bad_input", 2, 1, u, v, a, [1.5] + b[1:], P, comment="a parameter outside the domain")
     fit_scattered(op, "bad_input", 2, 1, u, v, a, b, [(0.0, INF, 0.0)] + P[1:], comment="a datum is infinite")
     fit_scattered(op, "bad_input", 2, 1, u, v, [], [], [], comment="no data")
-    fit_scattered(op, "bad_input", 2, 0, u, [0.0, 1.0], a, b, P, comment="degree 0")
+    fit_scattered(op, "degrees", 2, 0, u, [0.0, 1.0], a, b, P, comment="degree 0: may be refused")
     for what, bad in bad_knots(u, 2):
         fit_scattered(op, "bad_input", 2, 1, bad, v, a, b, P, comment=what)
     for k in (2, 8, 16, 22, 24, 26):
@@ -568,8 +568,8 @@ def approximations():
     c = Choices(307)
 
     def ask(category, p, q, nu, nv, mx, my, P, issue=None, comment=None):
-        bad = nu < p + 1 or nv < q + 1 or mx < 2 or my < 2 or len(P) != mx * my or p * q == 0 or not finite(*P)
-        kind = INVALID if bad else DEFINED if mx < nu or my < nv else VALID
+        bad = nu < p + 1 or nv < q + 1 or mx < 2 or my < 2 or len(P) != mx * my or not finite(*P)
+        kind = INVALID if bad else DEFINED if mx < nu or my < nv or p * q == 0 else VALID
         op.add(category, [p, q, nu, nv, mx, my, points(P)], kind, issue=issue, comment=comment)
     for k in range(8):
         p, q = c.between(1, 3), c.between(1, 3)
@@ -583,7 +583,7 @@ def approximations():
         ask("fit_failure", p, q, mx + 1, nv, mx, my, P, comment="fewer data than control points: may be refused")
         ask("bad_input", p, q, nu, nv, mx, my, P[:-1], comment="a datum too few")
         ask("bad_input", p, q, p, nv, mx, my, P, comment="fewer control points than degree and one")
-        ask("bad_input", 0, q, nu, nv, mx, my, P, comment="degree 0")
+        ask("degrees", 0, q, nu, nv, mx, my, P, comment="degree 0: may be refused")
         ask("bad_input", p, q, nu, nv, mx, my, [(NAN, 0.0, 0.0)] + P[1:], comment="a datum is NaN")
     for n in (16, 30):
         ask("size", 3, 3, n // 2, n // 2, n, n, [(float(i), float(j), float(i * j % 7)) for i in range(n) for j in range(n)],
