@@ -692,9 +692,20 @@ et_status refine_points(et_fit *fit, et_ceres_summary *summary, double *history,
     return watch.status;
 }
 
-/* The shell of a state and E there; frees what a throw would leak. */
+/* Freed whatever is thrown, in the constructor of what it is part of, too. */
+struct OwnShell : et_shell {
+    OwnShell() : et_shell{} {}
+    ~OwnShell()
+    {
+        et_shell_free(this);
+    }
+    OwnShell(const OwnShell &) = delete;
+    OwnShell &operator=(const OwnShell &) = delete;
+};
+
+/* The shell of a state and E there. */
 struct Outcome {
-    et_shell shell = {};
+    OwnShell shell;
     std::vector<double> uv;
     double E = std::numeric_limits<double>::infinity();
     et_status status;
@@ -707,12 +718,6 @@ struct Outcome {
         if (status == ET_OK && et_shell_valid(&shell))
             E = measure_at(&shell, uv, data, fit->data);
     }
-    ~Outcome()
-    {
-        et_shell_free(&shell);
-    }
-    Outcome(const Outcome &) = delete;
-    Outcome &operator=(const Outcome &) = delete;
 };
 
 et_status refine_full(et_fit *fit, double *uv, et_ceres_summary *summary, double *history, size_t nhistory, const et_vec3 *data,
@@ -733,7 +738,7 @@ et_status refine_full(et_fit *fit, double *uv, et_ceres_summary *summary, double
         return after.status;
     Outcome &better = after.E <= before.E ? after : before;
     std::copy(better.uv.begin(), better.uv.end(), uv);
-    std::swap(fit->shell, better.shell);
+    std::swap<et_shell>(fit->shell, better.shell);
     sum.before = before.E;
     sum.after = better.E;
     sum.iterations = watch.iterations;
