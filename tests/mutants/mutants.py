@@ -421,7 +421,8 @@ def explain(m, index):
     swapped = re.sub(r'\(.*', ' commutes', m['before']) if m['operator'] == 'arguments' else change
     for place in ('%s:%s' % (m['file'], m['function']), m['file']):
         for r in index.get(place, []):
-            if r['change'] in ('%s #%d' % (change, m['which']), change, swapped) or '...' in r['change'] and wild(r['change']).fullmatch(change):
+            if r['change'] in ('%s #%d' % (change, m['which']), change, swapped) or '...' in r['change'] and (
+                    wild(r['change']).fullmatch(change) or wild(r['change']).fullmatch('%s #%d' % (change, m['which']))):
                 r['used'] += 1
                 return r
     return None
