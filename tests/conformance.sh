@@ -26,7 +26,7 @@ adapter() {
 judge() {
     name=$1
     shift
-    "$etalon" conform --adapter "$(adapter "$name")" --seed $seed --json "$@" > "$out/$name.json" 2> "$out/$name.err"
+    "$etalon" conform --adapter "$(adapter "$name")" --seed $seed --timeout 60 --json "$@" > "$out/$name.json" 2> "$out/$name.err"
 }
 tell() { python3 -c 'import json, sys
 v = json.load(open(sys.argv[1]))["verdicts"]

@@ -163,19 +163,24 @@ void judge_net_sums(double *M, double *E, const judge_net *net, size_t a, size_t
     const double *mu = u->m + a * (u->p + 1), *su = u->s + a * (u->p + 1);
     const double *mv = net->curve ? NULL : v->m + b * (v->p + 1), *sv = net->curve ? NULL : v->s + b * (v->p + 1);
     const double K = judge_net_k(net, a, b);
-    double m = 0, U = 1;
+    double m = 0, U = 1, most = 0, first = 0, then = net->curve ? 1 : 0;
 
+    for (size_t i = 0; i <= u->p; i++)
+        first += mu[i];
+    for (size_t j = 0; j <= v->p && !net->curve; j++)
+        then += mv[j];
     for (size_t i = 0; i <= u->p; i++)
         for (size_t j = 0; j <= v->p; j++) {
             const double c = coefficient(net, (u->first + i) * net->nv + v->first + j, component);
             if (c == 0)
                 continue;
+            most = fmax(most, c);
             const double second = net->curve ? 1 : mv[j], more = net->curve ? 1 : 1 + v->length * sv[j];
             m += judge_times(judge_times(mu[i], c), second);
             U += (1 + u->length * su[i]) * c * more;
         }
     *M = m;
-    *E = K * ET_UNIT * m + K * eta * U;
+    *E = judge_times(judge_times(K * ET_UNIT * first, most), then) + K * eta * U;
 }
 
 /* ---- bounds of derivatives ---- */

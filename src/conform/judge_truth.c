@@ -28,15 +28,19 @@ et_status judge_basis(judge_list *list, const et_request *request, int left)
 
     if (status == ET_OK)
         status = et_exact_basis_ders(D, d, u, nu, p, span, x);
-    for (size_t k = 0; status == ET_OK && k <= d; k++)
+    for (size_t k = 0; status == ET_OK && k <= d; k++) {
+        double all = 0;
+        for (size_t j = 0; j <= p; j++)
+            all += line.m[k * (p + 1) + j];
         for (size_t i = 0; i < n; i++) {
             const double K = 16 * (double)(p + k + 2);
             const size_t at = k * (p + 1) + i - line.first;
             if (i < line.first || i > line.first + p)
                 judge_put_bound(list, 0, 2 * K * eta, K * ET_UNIT);
             else
-                judge_put_bound(list, D[at], K * ET_UNIT * line.m[at] + K * eta * (2 + line.length * line.s[at]), K * ET_UNIT);
+                judge_put_bound(list, D[at], K * ET_UNIT * all + K * eta * (2 + line.length * line.s[at]), K * ET_UNIT);
         }
+    }
     judge_line_free(&line);
     free(D);
     return status;

@@ -47,6 +47,18 @@ static void sums(double *M, double *S, const double *c, size_t n, const double *
 
 typedef struct { double M, E; } size;
 
+/* The sum of the magnitudes of the basis functions' k-th derivatives: M of coefficients 1. */
+static double of_ones(size_t n, const double *u, size_t p, size_t span, double x, size_t k)
+{
+    static double ones[MOST];
+    double M, S;
+
+    for (size_t i = 0; i < n; i++)
+        ones[i] = 1;
+    sums(&M, &S, ones, n, u, p, span, x, k);
+    return M;
+}
+
 static size_t span_of(const double *u, size_t nu, size_t p, double x, int left)
 {
     return et_knots_span_side(u, nu, p, x, left ? ET_SIDE_LEFT : ET_SIDE_RIGHT);
@@ -78,7 +90,10 @@ static size curve_size(const et_curve *c, const double *magnitudes, double x, in
     double M, S;
 
     sums(&M, &S, magnitudes, c->n, c->u, c->p, span, x, k);
-    return (size){ M, K * 0x1p-53 * M + K * 0x1p-1074 * (1 + total(magnitudes, span - c->p, c->p) + product(longest(c->u, nu), S)) };
+    double most = 0;
+    for (size_t i = span - c->p; i <= span; i++)
+        most = fmax(most, magnitudes[i]);
+    return (size){ M, product(K * 0x1p-53 * of_ones(c->n, c->u, c->p, span, x, k), most) + K * 0x1p-1074 * (1 + total(magnitudes, span - c->p, c->p) + product(longest(c->u, nu), S)) };
 }
 
 static size surface_size(const et_surface *s, const double *magnitudes, const double x[2], const int left[2], size_t a, size_t b)
@@ -96,9 +111,13 @@ static size surface_size(const et_surface *s, const double *magnitudes, const do
         all[k] = total(magnitudes + k * s->nv, j - s->q, s->q) + product(longest(s->v, kv), S);
     }
     sums(&M, &S, row, s->nu, s->u, s->p, i, x[0], a);
-    double unused, sum;
+    double unused, sum, most = 0;
     sums(&unused, &sum, all, s->nu, s->u, s->p, i, x[0], a);
-    return (size){ M, K * 0x1p-53 * M + K * 0x1p-1074 * (1 + total(all, i - s->p, s->p) + product(longest(s->u, ku), sum)) };
+    for (size_t k = i - s->p; k <= i; k++)
+        for (size_t l = j - s->q; l <= j; l++)
+            most = fmax(most, magnitudes[k * s->nv + l]);
+    const double first = of_ones(s->nu, s->u, s->p, i, x[0], a), then = of_ones(s->nv, s->v, s->q, j, x[1], b);
+    return (size){ M, product(product(K * 0x1p-53 * first, most), then) + K * 0x1p-1074 * (1 + total(all, i - s->p, s->p) + product(longest(s->u, ku), sum)) };
 }
 
 /* ---- bounds of points and derivatives ---- */

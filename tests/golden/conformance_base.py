@@ -207,7 +207,8 @@ class Curve:
             K = 16 * (self.p + e + 2)
             M = [sum(m * a[c] for m, a in zip(at.M[e], A)) for c in range(4)]
             G = [1 + sum(s * a[c] for s, a in zip(at.S[e], A)) for c in range(4)]
-            out[(e,)] = ([sum(n * h[c] for n, h in zip(at.N[e], H)) for c in range(4)], [error(K, m, g) for m, g in zip(M, G)], M, K)
+            most = [sum(at.M[e]) * max(a[c] for a in A) for c in range(4)]
+            out[(e,)] = ([sum(n * h[c] for n, h in zip(at.N[e], H)) for c in range(4)], [error(K, m, g) for m, g in zip(most, G)], M, K)
         return out
 
 
@@ -233,7 +234,8 @@ class Surface:
             for e in range(d + 1 - f):
                 K = 16 * (self.p + self.q + e + f + 2)
                 M, G = outer(a.M[e], size), outer(a.S[e], small)
-                out[e, f] = (outer(a.N[e], value), [error(K, m, 1 + g) for m, g in zip(M, G)], M, K)
+                most = [sum(a.M[e]) * sum(b.M[f]) * max(m[c] for r in A for m in r) for c in range(4)]
+                out[e, f] = (outer(a.N[e], value), [error(K, m, 1 + g) for m, g in zip(most, G)], M, K)
         return out
 
 

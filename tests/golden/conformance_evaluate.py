@@ -25,7 +25,7 @@ def row(u, p, x, side, d):
         w, b = [F(0)] * zeros, [(K, K * LEAST * 2)] * zeros
         for r in range(p + 1):
             w[at.first + r] = at.N[e][r]
-            b[at.first + r] = (K, error(K, at.M[e][r], 1 + at.S[e][r]))
+            b[at.first + r] = (K, error(K, sum(at.M[e]), 1 + at.S[e][r]))
         want += w
         bound += b
     return want, bound
