@@ -42,7 +42,7 @@ FLAGS_debug   = -O0
 FLAGS_asan    = -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 FLAGS_fuzz    = -O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 FLAGS_afl     = -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
-FLAGS_cover   = -O0 --coverage
+FLAGS_cover   = -O0 --coverage -fprofile-update=atomic
 OMP_release = -fopenmp
 OMP_native  = -fopenmp
 OMP_cover   = -fopenmp
