@@ -1,12 +1,14 @@
 #include "etalon/fit/enclosure.h"
-#include "fit/refused.h"
+#include "gen.h"
+#include <stdio.h>
+#include <string.h>
 
 /* What an enclosure says when it refuses, word by word. */
 verdict prop_enclosure_make_says(gen *g)
 {
     const et_doublenet n = { gen_between(g, 5, 6), gen_between(g, 7, 8) };
     const size_t kind = (size_t)gen_upto(g, 3), w = (size_t)gen_upto(g, 1), nov = et_doublenet_nov(n) + (kind == 0);
-    et_vec3 data[REFUSED_CLASSES];
+    et_vec3 data[128];
     et_fit_options o = et_fit_defaults();
     et_message said = { "" }, want = { "" };
     et_enclosure e;
