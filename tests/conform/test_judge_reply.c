@@ -260,9 +260,19 @@ verdict prop_judge_reply_weights(gen *g)
     et_judgement j = kit_judge(g, &r, &t, x, at + 1 + n);
     ok = ok && (tiny || gen_check(g, !et_judge_bad(j.verdict), "times %g: %s, %s", f, et_judge_name(j.verdict), j.text));
     if (!tiny && n > 1) {
-        x[at + 1 + gen_upto(g, n - 1)] *= 1.01;
+        const size_t i = gen_upto(g, n - 1);
+        /* A hundredth of the weight must be more than its bound, which is that of the heaviest near it; if the greatest of all is altered, the others
+         * are judged by a factor that is off by a hundredth. */
+        bool seen = nw == 0;
+        for (size_t k = 0; k < nw; k++)
+            seen = seen || 0.009 * t.want[at + 1 + k] > 2 * t.bound[at + 1 + k];
+        for (size_t k = 0; k < nw; k++)
+            seen = seen && (k != i || 0.009 * t.want[at + 1 + k] > 2 * t.bound[at + 1 + k]);
+        for (size_t k = 0; k < nw && seen; k++)
+            seen = k == i || t.want[at + 1 + k] > 1.02 * t.want[at + 1 + i] || 0.009 * t.want[at + 1 + k] > 2 * t.bound[at + 1 + k];
+        x[at + 1 + i] *= 1.01;
         j = kit_judge(g, &r, &t, x, at + 1 + n);
-        ok = ok && gen_check(g, et_judge_bad(j.verdict), "one of the weights is another");
+        ok = ok && (!seen || gen_check(g, et_judge_bad(j.verdict), "one of the weights is another"));
         gen_label(g, nw ? "weights" : "equal weights for none");
     }
     x[at] = 0;
