@@ -19,7 +19,8 @@ static size_t good_sites(campaign_maker *m, double *t, const campaign_basis *b, 
         for (size_t k = 1; k <= b->p; k++) {
             sum += b->u[i + k] / (double)b->p;
         }
-        t[n++] = campaign_clamp(b->u[b->p], sum, b->u[b->n]);
+        /* the mean of equal knots is that knot, however it is rounded */
+        t[n++] = b->u[i + 1] == b->u[i + b->p] ? b->u[i + 1] : campaign_clamp(b->u[b->p], sum, b->u[b->n]);
     }
     for (size_t k = 0; k < more; k++) {
         t[n++] = m->category == ET_CATEGORY_NEAR_KNOTS || m->category == ET_CATEGORY_REPEATED_KNOTS ? campaign_place(m, b, 0) : campaign_inside(m, b);

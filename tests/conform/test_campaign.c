@@ -362,7 +362,7 @@ verdict prop_campaign_draw_extreme_scale(gen *g)
     }
     const et_request_value *u = &q.arg[1], *P = &q.arg[2];
     const double knots = greatest(u, 1), points = greatest(P, 3), x = q.arg[4].x[0];
-    const bool want[8] = {points > 1e305, points < 1e-305, knots > 1e159 && knots < 1e163, knots < 1e-157 && knots > 1e-162, smallest(P, 3) > 9e8,
+    const bool want[8] = {points > 1e305, points < 1e-305, knots > 1e157 && knots < 1e163, knots < 1e-157 && knots > 1e-162, smallest(P, 3) > 9e8,
                           smallest(u, 1) > 9e8, knots < 1e-285, points > 1e150 && knots < 1e-88};
     bool ok = gen_check(g, want[kind], "kind %llu: knots to %g, coordinates to %g", (unsigned long long)kind, knots, points);
     ok = ok && gen_check(g, x >= u->x[0] && x <= u->x[u->count - 1], "the parameter is outside");
