@@ -246,8 +246,8 @@ static double greatest_eigenvalue(double A[NUMBERS][NUMBERS], size_t n)
 }
 
 /* Of unknowns that share[j] views have, each counted in its own: the matrix is A diag(1 / sqrt(share)).  Power methods come from below; forty steps
- * are short of the square by at most ln(n / cos^2) / 80 of it, less than a fifth unless the beginning is nearly orthogonal to the eigenvector (its cosine
- * below 1/700), which an estimate may be, but these few matrices are not. */
+ * are short of the square by at most ln(n / cos^2) / 80 of it, less than a fifth unless the beginning is nearly orthogonal to the eigenvector (its
+ * cosine below 1/700): an estimate may be, but these few matrices are not. */
 static bool norms_are_right(gen *g, const enclosure_system *s)
 {
     static double G[NUMBERS][NUMBERS], H[NUMBERS][NUMBERS];
@@ -349,8 +349,8 @@ static void zeta_of(arf_ptr zeta, const enclosure_system *s, const arf_ptr q)
     forget(v, n);
 }
 
-/* radius_i = sum_j |T_ij| (zeta_j + defect max zeta), and what the code adds for its own roundings: (m + 2n + 16) 2^-51 here, (m w + 8) 2^-52 in v and
- * (w + 8) 2^-52 in q; they are less than that themselves, so that twice of it is let through. */
+/* radius_i = sum_j |T_ij| (zeta_j + defect max zeta), and what the code adds for its own roundings: (m + 2n + 16) 2^-51 here, (m w + 8) 2^-52 in v
+ * and (w + 8) 2^-52 in q; they are less than that themselves, so that twice of it is let through. */
 static bool radii_are_right(gen *g, const enclosure_system *s, const double *radius, const arf_ptr zeta)
 {
     const size_t n = s->columns;
