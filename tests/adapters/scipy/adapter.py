@@ -160,7 +160,14 @@ def fitpack_scattered(r):
         if len(set(t[:k + 1])) != 1 or len(set(t[-k - 1:])) != 1:
             raise Unsupported("knots that are not clamped")
     box = [u[0], u[-1], v[0], v[-1]]
-    c = [interpolate.LSQBivariateSpline(a, b, P[:, k], u[p + 1:-p - 1], v[q + 1:-q - 1], bbox=box, kx=p, ky=q).get_coeffs() for k in range(3)]
+    if len(u) < 2 * p + 2 or len(v) < 2 * q + 2:
+        raise Refused("too few knots")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")           # a rank deficient system is told by a warning
+        try:
+            c = [interpolate.LSQBivariateSpline(a, b, P[:, k], u[p + 1:-p - 1], v[q + 1:-q - 1], bbox=box, kx=p, ky=q).get_coeffs() for k in range(3)]
+        except UserWarning as e:
+            raise Refused(str(e))
     return numpy.array(c).T.ravel()
 
 
