@@ -18,7 +18,7 @@ NEGATED = {'==': '!=', '!=': '==', '<': '>=', '>=': '<', '>': '<=', '<=': '>'}
 BOUNDARY = {'<': '<=', '<=': '<', '>': '>=', '>=': '>'}
 ARITHMETIC = {'+': ['-'], '-': ['+'], '*': ['/'], '/': ['*'], '%': ['*'], '&': ['|'], '|': ['&'], '^': ['&'], '<<': ['>>'], '>>': ['<<']}
 # a op b is b op a to the last bit.
-COMMUTE = re.compile(r'^(fmin|fmax|hypot|fmp[qz]_(add|mul|equal|add_si)|ar[bf]_(add|mul|equal|union|add_arf|mul_arf)|mp[zq]_(add|mul)|et_size_mul|et_size_array|'
+COMMUTE = re.compile(r'^(fmin|fmax|hypot|fmp[qz]_(add|mul|equal|add_si)|ar[bf]_(add|mul|equal|union|add_arf|mul_arf)|mp[zq]_(add|mul)|et_size_mul|et_size_array|et_vec3_distance|et_dd_(add|mul|two_sum)|memcmp|strcmp|lesser|greater|'
                      r'fmpz_(gcd|lcm|mul2_uiui))$')
 UNWRAP = {'sqrt', 'fabs'}
 INTEGERS = re.compile(r'^(unsigned |signed )?(char|short|int|long|long long|__int128)$|^unsigned$|^_Bool$|^(unsigned|signed) (long|short) int$')
