@@ -175,7 +175,7 @@ static et_status write_files(const conform_result *r, const choices *c, et_messa
 {
     et_status status = c->junit ? conform_write_junit(c->junit, r, message) : ET_OK;
 
-    if (status == ET_OK && c->baseline_write) {
+    if (status == ET_OK && c->baseline_write && !r->stopped && r->greeted) {           /* what was not asked is not known */
         json_t *o = json_pack("{s:s, s:o}", "format", "etalon-conformance-baseline", "known", conform_bad_list(r));
         status = cli_write_json(c->baseline_write, o, message);
         json_decref(o);

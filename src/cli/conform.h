@@ -31,6 +31,8 @@ enum { CONFORM_TEXT = 1024 };
 const char *conform_clean(char clean[CONFORM_TEXT], const char *text);
 
 /* The report for people. */
+/* 1 if the adapter is several commands, which a pipe must have in brackets. */
+int conform_compound(const char *adapter);
 void conform_print(FILE *out, const conform_result *r);
 json_t *conform_json(const conform_result *r);
 /* What `--baseline` reads: the list of all bad verdicts. */

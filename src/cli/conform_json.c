@@ -229,9 +229,9 @@ static void put_failure(FILE *out, const conform_result *r, et_request_op op, et
         put_escaped(out, f->shrunk ? f->shrunk_judgement.text : f->judgement.text);
         fputs("\necho '1 ", out);
         fputs(f->shrunk ? f->shrunk : f->request, out);
-        fputs("' | ", out);
+        fputs(conform_compound(r->adapter) ? "' | (" : "' | ", out);
         put_escaped(out, r->adapter);
-        fputc('\n', out);
+        fputs(conform_compound(r->adapter) ? ")\n" : "\n", out);
     }
     fputs("</failure>\n", out);
 }

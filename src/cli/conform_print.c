@@ -152,6 +152,12 @@ static void put_number(FILE *out, const char *what, double x)
     fprintf(out, "    %-6s %a (%.17g)\n", what, x, x);
 }
 
+/* Of several commands the first alone would be asked. */
+int conform_compound(const char *adapter)
+{
+    return strpbrk(adapter, "|&;\n") != NULL;
+}
+
 static void put_judgement(FILE *out, const et_judgement *j)
 {
     char clean[CONFORM_TEXT];
@@ -183,7 +189,7 @@ static void put_finding(FILE *out, const conform_result *r, const et_conform_fin
         fprintf(out, "    vector: %s\n", f->vector);
     if (f->issue)
         fprintf(out, "    like %s\n", f->issue);
-    fprintf(out, "    echo '1 %s' | %s\n", request, r->adapter);
+    fprintf(out, conform_compound(r->adapter) ? "    echo '1 %s' | (%s)\n" : "    echo '1 %s' | %s\n", request, r->adapter);
 }
 
 void conform_print(FILE *out, const conform_result *r)
