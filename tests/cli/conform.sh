@@ -203,6 +203,11 @@ python3 -c "import xml.etree.ElementTree as E; assert E.parse('bad.xml').getroot
 want 'JUnit of reasons with marks' 1 "$etalon" conform --adapter "python3 h.py 'refuses all'" $ops --junit marks.xml
 python3 -c "import xml.etree.ElementTree as E; E.parse('marks.xml')" && pass 'is XML, too' || fail 'is XML, too'
 want 'a baseline is written' 1 "$etalon" conform --adapter "$wrong" $ops --baseline-write known.json
+cp known.json kept.json
+timeout -s INT 1 "$etalon" conform --adapter "'$etalon' serve" --level 2 --cases 1000000 --baseline-write kept.json > out 2> err
+same 'an interrupted run leaves the baseline' known.json kept.json
+"$etalon" conform --adapter "true; $wrong" $ops > out 2> err
+if grep "echo '1" out | grep -qv '| (true; .*)$'; then fail 'several commands stand in brackets' "$(grep -m 1 echo out)"; else pass 'several commands stand in brackets'; fi
 want 'what is known is no failure' 0 "$etalon" conform --adapter "$wrong" $ops --baseline known.json
 want 'another fault is' 1 "$etalon" conform --adapter "python3 h.py 'accepts all'" $ops --baseline known.json
 want 'the JSON is made' 1 "$etalon" conform --adapter "$wrong" $ops --json
