@@ -7,6 +7,7 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Standard_Failure.hxx>
 #include <Standard_Version.hxx>
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -152,13 +153,16 @@ static bool one_point(const list &P)
 
 // ---- evaluation -------------------------------------------------------------------------------------------------------------
 
-// The knots (numbers from 1) between which the limit is taken.
-static void span(const Knots &k, double x, size_t side, int &from, int &to)
+// The knots (numbers from 1) between which the limit is taken, within the domain.
+static void span(const list &u, size_t p, double x, size_t side, int &from, int &to)
 {
-    const int n = (int)k.value.size();
+    const Knots k(u);
+    const double lo = u.x[p], hi = u.x[u.n - p - 1];
 
     from = 1;
-    while (from < n - 1 && (side == LEFT ? k.value[(size_t)from] < x : k.value[(size_t)from] <= x))
+    while (k.value[(size_t)from - 1] < lo)
+        from++;
+    while (k.value[(size_t)from] < hi && (side == LEFT ? k.value[(size_t)from] < x : k.value[(size_t)from] <= x))
         from++;
     to = from + 1;
 }
@@ -175,7 +179,7 @@ static void curve_at(bool ders)
         return;
     if (x < g->FirstParameter() || x > g->LastParameter())
         refuse("outside the domain");
-    span(Knots(c.u), x, side, from, to);
+    span(c.u, c.p, x, side, from, to);
     for (size_t k = 0; k <= d && !refused(); k++) {
         gp_Pnt p;
         if (k == 0 && side == ANY)
@@ -211,8 +215,8 @@ static void surface_at(bool ders)
     g->Bounds(u0, u1, v0, v1);
     if (x < u0 || x > u1 || y < v0 || y > v1)
         refuse("outside the domain");
-    span(Knots(s.u), x, side_u, u[0], u[1]);
-    span(Knots(s.v), y, side_v, v[0], v[1]);
+    span(s.u, s.p, x, side_u, u[0], u[1]);
+    span(s.v, s.q, y, side_v, v[0], v[1]);
     for (int total = 0; total <= (int)d && !refused(); total++)
         for (int b = 0; b <= total; b++) {
             gp_Pnt p;
@@ -380,7 +384,7 @@ static void surface_elevate()
 // ---- nearest points: the library finds feet of perpendiculars; ends and borders are tried besides ---------------------------
 
 struct Nearest {
-    double distance = 1e308, x = 0, y = 0;
+    double distance = HUGE_VAL, x = 0, y = 0;
     void offer(double d, double u, double v)
     {
         if (d < distance) {
