@@ -118,7 +118,7 @@ def net(points, weights):
 
 
 def surface(function, args):
-    if function == "surface_valid":
+    if function not in ("surface_point", "surface_ders", "surface_points", "surface_grid"):
         return None
     p, q, nu, nv, rational = (int(a) for a in args[:5])
     u, at = numbers(args[5:5 + nu + p + 1]), 5 + nu + p + 1
@@ -143,10 +143,8 @@ def surface(function, args):
     if function == "surface_points":
         spots = numbers(rest[1:])
         return [c for k in range(int(rest[0])) for c in point(*spots[2 * k:2 * k + 2])]
-    if function == "surface_grid":
-        na, spots = int(rest[0]), numbers(rest[2:])
-        return [c for a in spots[:na] for b in spots[na:] for c in point(a, b)]
-    return None
+    na, spots = int(rest[0]), numbers(rest[2:])
+    return [c for a in spots[:na] for b in spots[na:] for c in point(a, b)]
 
 
 def curve(function, args):
