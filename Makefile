@@ -77,7 +77,7 @@ OBJ    = $(addprefix $(B)/,$(addsuffix .o,$(1)))
 LIBO  := $(call OBJ,$(filter %.c,$(SRC))) $(call OF,$(filter %.cpp,$(SRC)))
 CLIO  := $(call OBJ,$(CLI))
 # The command's own readers are tested from inside.
-TESTO := $(call OF,$(TEST) $(filter-out src/cli/main.c,$(CLI)))
+TESTO := $(call OF,$(TEST)) $(call OBJ,$(filter-out src/cli/main.c,$(CLI)))
 FUZZO := $(filter-out $(B)/tests/check.c.o,$(TESTO)) $(B)/fuzz/fuzz.c.o $(B)/registry.o
 BENCHO := $(call OBJ,$(wildcard tests/bench/*.c))
 INPUTO  := $(call OBJ,$(wildcard tests/bench/*_input.c))
