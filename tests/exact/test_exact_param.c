@@ -1,5 +1,7 @@
 #include "etalon/base/real.h"
 #include "etalon/exact/exact.h"
+#include "exact/exact_radical_parts.h"
+#include "exact/live.h"
 #include "exact/nearest.h"
 #include "gen.h"
 #include "golden.h"
@@ -113,6 +115,16 @@ static void draw_points(gen *g, et_vec3 *D, size_t n)
     }
 }
 
+/* Whether the precision is none, or asked for 2^k bits. */
+static bool doubled(size_t used, size_t asked)
+{
+    size_t bits = asked < 2 ? 2 : asked < EXACT_MOST_BITS ? asked : EXACT_MOST_BITS;
+
+    while (bits < used)
+        bits *= 2;
+    return used == 0 || bits == used;
+}
+
 /* The same doubles from any precision on; the second's is four times what the first needed. */
 static bool precise(gen *g, const double *t, size_t n, const et_vec3 *D, size_t stride, et_param_method method, size_t used)
 {
@@ -122,7 +134,10 @@ static bool precise(gen *g, const double *t, size_t n, const et_vec3 *D, size_t 
 
     for (size_t k = 0; k < 3; k++) {
         const size_t asked = start[k];
-        if (!gen_check(g, et_exact_param_row(s, n, &flat, D, stride, method, start + k) == ET_OK && same(s, t, n), "from %zu bits on", asked) ||
+        live_begin(k % 2 == 0);
+        const et_status status = et_exact_param_row(s, n, &flat, D, stride, method, start + k);
+        if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK && same(s, t, n), "from %zu bits on", asked) ||
+            !gen_check(g, doubled(start[k], asked), "%zu bits from %zu on", start[k], asked) ||
             !gen_check(g,
                        used == 0 ? start[k] == 0
                                  : start[k] >= (k == 0   ? asked
@@ -171,12 +186,14 @@ verdict prop_exact_param_row(gen *g)
                    "bad arguments"))
         return FAIL;
     const size_t start = bits;
-    if (!gen_check(g, et_exact_param_row(t, n, &told, wide, stride, method, &bits) == ET_OK && t[n] == 7, "made"))
+    live_begin(n % 2 == 0);
+    const et_status status = et_exact_param_row(t, n, &told, wide, stride, method, &bits);
+    if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK && t[n] == 7, "made"))
         return FAIL;
     const bool flat = second(s, n, D, 1, 1, 0, method) != 0;
     gen_label(g, flat ? "flat" : "long");
     if (!gen_check(g, told == flat, "told flat: %d", told) ||
-        !gen_check(g, bits == 0 ? flat || method == ET_PARAM_UNIFORM || n == 2 : bits >= (start ? start : 128), "%zu bits", bits))
+        !gen_check(g, flat || method == ET_PARAM_UNIFORM || n == 2 ? bits == 0 : bits > 0 && doubled(bits, start ? start : 128), "%zu bits", bits))
         return FAIL;
     et_param_row(fast, n, D, 1, method, work);
     for (size_t i = 0; i < n; i++)
@@ -262,9 +279,11 @@ verdict prop_exact_param_row_ties(gen *g)
         n = method == ET_PARAM_CHORD ? tie_of_chords(D, g, m, scale) : tie_of_roots(D, m, scale);
     }
     gen_label(g, et_param_name(method));
-    if (!gen_check(g, et_exact_param_row(t, n, &flat, D, 1, method, &bits) == ET_OK && flat == 0, "made") ||
+    live_begin(scale % 2 == 0);
+    const et_status status = et_exact_param_row(t, n, &flat, D, 1, method, &bits);
+    if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK && flat == 0, "made") ||
         !gen_check(g, t[tie] == middle(m), "1/2 + %llu/2^54 is %a, not %a", (unsigned long long)m, t[tie], middle(m)) ||
-        !gen_check(g, bits >= 128 && bits < 4096, "%zu bits", bits)) /* whole roots are found at once */
+        !gen_check(g, bits == 128 || bits == 512, "%zu bits", bits)) /* whole roots are found at once */
         return FAIL;
     if (n <= MOST) {
         second(s, n, D, 1, 1, 0, method);
@@ -272,6 +291,70 @@ verdict prop_exact_param_row_ties(gen *g)
             return FAIL;
     }
     return precise(g, t, n, D, 1, method, bits) ? PASS : FAIL;
+}
+
+/* As good as in the middle: chords 2^53, m and, in two pieces, 2^53 - m, the first two a little askew, by h^2 (1/2^54 + 1/2m).  So the parameter is
+ * above the middle by between 2^-170 and 2^-130: 128 bits do not tell, 256 do, while the next parameter has long been known. */
+/* One case in 4. */
+verdict prop_exact_param_row_near_ties(gen *g)
+{
+    const uint64_t m = (UINT64_C(1) << 40) + odd_digits(g, (UINT64_C(1) << 53) - (UINT64_C(1) << 41)), rest = (UINT64_C(1) << 53) - m;
+    const double h = ldexp(1, -20 - (int)gen_upto(g, 10));
+    const et_vec3 D[5] = {{0x1p53, 0, 0}, {0, h, 0}, {(double)m, 0, 0}, {(double)((m + rest / 3) / 2 * 2), 0, 0}, {0x1p53, 0, 0}};
+    double t[5], s[5];
+    size_t bits = 0;
+    int flat;
+
+    if (!gen_check(g, et_exact_param_row(t, 5, &flat, D, 1, ET_PARAM_CHORD, &bits) == ET_OK && flat == 0, "made") ||
+        !gen_check(g, bits == 256, "%zu bits", bits))
+        return FAIL;
+    second(s, 5, D, 1, 1, 0, ET_PARAM_CHORD);
+    return gen_check(g, same(s, t, 5), "t[2] = %a, not %a", t[2], s[2]) && precise(g, t, 5, D, 1, ET_PARAM_CHORD, bits) ? PASS : FAIL;
+}
+
+/* A tie from the greatest precision on is looked for after two doublings all the same. */
+/* One case in 250. */
+verdict prop_exact_param_row_greatest(gen *g)
+{
+    const size_t asked = gen_upto(g, 1) ? SIZE_MAX : EXACT_MOST_BITS;
+    const et_vec3 D[4] = {{0x1p53, 0x1p53, 0}, {0, 0, 0}, {0x1p52 + 1, 0x1p52 + 1, 0}, {0x1p53, 0x1p53, 0}};
+    size_t bits = asked;
+    double t[4];
+    int flat;
+
+    live_begin(0);
+    const et_status status = et_exact_param_row(t, 4, &flat, D, 1, ET_PARAM_CHORD, &bits);
+    return gen_check(g, live_end(), "memory is kept") && gen_check(g, status == ET_OK && t[2] == 0.75, "t[2] = %a", t[2]) &&
+                   gen_check(g, bits == 4 * (size_t)EXACT_MOST_BITS, "%zu bits", bits)
+               ? PASS
+               : FAIL;
+}
+
+static void zero_stack(void)
+{
+    volatile unsigned char below[1 << 12];
+
+    for (size_t i = 0; i < sizeof below; i++)
+        below[i] = 0;
+}
+
+/* Lines that no memory holds are refused before anything is read. */
+verdict prop_exact_param_row_sizes(gen *g)
+{
+    static const size_t many[5][2] = {{SIZE_MAX / 2 + 1, 3}, {(size_t)1 << 58, 3}, {(size_t)1 << 59, 2}, {1, (size_t)1 << 40}, {1, (size_t)1 << 30}};
+    const size_t k = gen_upto(g, 4), n = (size_t)1 << gen_between(g, 30, 60);
+    const et_param_method method = (et_param_method)gen_between(g, ET_PARAM_CHORD, ET_PARAM_EXPONENTIAL);
+    const et_vec3 D[2] = {{0, 0, 0}, {1, 1, 1}};
+    exact_lines L = {7, 7, 7, 7, NULL};
+    double t[1] = {9};
+    size_t bits = 5;
+    int flat = 77;
+
+    zero_stack();
+    return gen_check(g, exact_lines_init(&L, many[k][0], 1, D, many[k][1], 1, method) == ET_ENOMEM && L.n == 7 && L.r == NULL, "lines") &&
+                   gen_check(g, et_exact_param_row(t, n, &flat, D, 1, method, &bits) == ET_ENOMEM && t[0] == 9 && flat == 77 && bits == 5, "a line")
+               ? PASS
+               : FAIL;
 }
 
 /* ---- grids ---- */
@@ -311,15 +394,14 @@ static bool grid_precise(gen *g, const double *s, size_t nx, const double *r, si
     double a[SIDE], b[SIDE];
     size_t start[3] = {4 * used, 3, 1000}, flat;
 
-    for (size_t k = 0; k < 3; k++)
-        if (!gen_check(g, et_exact_param_grid(a, nx, b, ny, &flat, D, method, start + k) == ET_OK && same(a, s, nx) && same(b, r, ny), "start %zu",
-                       k) ||
-            !gen_check(g,
-                       used == 0 ? start[k] == 0
-                       : k == 0  ? start[k] >= 4 * used
-                                 : start[k] > 0,
-                       "%zu bits", start[k]))
+    for (size_t k = 0; k < 3; k++) {
+        const size_t asked = start[k];
+        live_begin(k % 2 == 0);
+        const et_status status = et_exact_param_grid(a, nx, b, ny, &flat, D, method, start + k);
+        if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK && same(a, s, nx) && same(b, r, ny), "start %zu", k) ||
+            !gen_check(g, used == 0 ? start[k] == 0 : start[k] > 0 && doubled(start[k], asked), "%zu bits from %zu on", start[k], asked))
             return false;
+    }
     return gen_check(g, et_exact_param_grid(a, nx, b, ny, &flat, D, method, NULL) == ET_OK && same(a, s, nx) && same(b, r, ny), "no bits");
 }
 
@@ -341,12 +423,15 @@ verdict prop_exact_param_grid(gen *g)
                    "bad arguments"))
         return FAIL;
     bits = 0;
-    if (!gen_check(g, et_exact_param_grid(s, nx, r, ny, &flat, D, method, &bits) == ET_OK && s[nx] == 9 && r[ny] == 9, "made"))
+    live_begin(nx % 2 == 0);
+    const et_status status = et_exact_param_grid(s, nx, r, ny, &flat, D, method, &bits);
+    if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK && s[nx] == 9 && r[ny] == 9, "made"))
         return FAIL;
     const size_t along_u = second(s2, nx, D, ny, ny, 1, method), along_v = second(r2, ny, D, 1, nx, ny, method);
     et_param_grid(sf, nx, rf, ny, &fast_flat, D, method);
     gen_label(g, along_u + along_v > 0 ? "flat lines" : "long lines");
-    return gen_check(g, flat == along_u + along_v && flat == fast_flat, "%zu flat lines", flat) && means_agree(g, s, s2, sf, nx, ny, method) &&
+    const bool none = method == ET_PARAM_UNIFORM || ((nx == 2 || along_u == ny) && (ny == 2 || along_v == nx));
+    return gen_check(g, none ? bits == 0 : bits > 0 && doubled(bits, 128), "%zu bits", bits) && gen_check(g, flat == along_u + along_v && flat == fast_flat, "%zu flat lines", flat) && means_agree(g, s, s2, sf, nx, ny, method) &&
                    means_agree(g, r, r2, rf, ny, nx, method) && grid_precise(g, s, nx, r, ny, D, method, bits)
                ? PASS
                : FAIL;
@@ -380,10 +465,12 @@ verdict prop_exact_param_grid_ties(gen *g)
         put_line(D, line[(j + shift) % 4], 3, 4, j, transposed);
     for (size_t i = 0; i < 12; i++)
         D[i] = scaled(D[i], scale);
-    if (!gen_check(g, et_exact_param_grid(s, transposed ? 4 : 3, r, transposed ? 3 : 4, &flat, D, ET_PARAM_CHORD, &bits) == ET_OK, "made"))
+    live_begin(m % 4 == 1);
+    const et_status status = et_exact_param_grid(s, transposed ? 4 : 3, r, transposed ? 3 : 4, &flat, D, ET_PARAM_CHORD, &bits);
+    if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK, "made"))
         return FAIL;
     const double mean = transposed ? r[1] : s[1];
-    return gen_check(g, mean == middle(m) / 2 && flat == 0 && bits >= 512 && bits < 4096, "%llu: mean %a, not %a; %zu bits", (unsigned long long)m,
+    return gen_check(g, mean == middle(m) / 2 && flat == 0 && bits == 512, "%llu: mean %a, not %a; %zu bits", (unsigned long long)m,
                      mean, middle(m) / 2, bits)
                ? PASS
                : FAIL;
@@ -422,10 +509,12 @@ verdict prop_exact_param_grid_ties_of_kinds(gen *g)
     for (size_t k = 0; k < 5; k++)
         line[k] = (et_vec3){0, k > 2 ? 5 : 0, 0};
     put_line(D, line, 5, 4, 2, transposed);
-    if (!gen_check(g, et_exact_param_grid(s, transposed ? 4 : 5, r, transposed ? 5 : 4, &flat, D, ET_PARAM_CHORD, &bits) == ET_OK, "made"))
+    live_begin(m % 4 == 1);
+    const et_status status = et_exact_param_grid(s, transposed ? 4 : 5, r, transposed ? 5 : 4, &flat, D, ET_PARAM_CHORD, &bits);
+    if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK, "made"))
         return FAIL;
     const double mean = transposed ? r[2] : s[2];
-    return gen_check(g, mean == middle(m) / 2 && bits >= 512 && bits < 4096, "%llu: mean %a, not %a; %zu bits", (unsigned long long)m, mean,
+    return gen_check(g, mean == middle(m) / 2 && bits == 512, "%llu: mean %a, not %a; %zu bits", (unsigned long long)m, mean,
                      middle(m) / 2, bits)
                ? PASS
                : FAIL;
@@ -453,10 +542,10 @@ verdict prop_exact_param_grid_undecided(gen *g)
         put_line(D, line[(j + shift) % 4], 4, 4, j, transposed);
     for (size_t i = 0; i < 16; i++)
         D[i] = scaled(D[i], scale);
-    return gen_check(g,
-                     et_exact_param_grid(s, 4, r, 4, &flat, D, ET_PARAM_CHORD, &bits) == ET_ENOCONV && flat == 77 && bits == before && s[1] == 9 &&
-                         r[1] == 9,
-                     "decided: %a, %a", s[1], r[1])
+    live_begin(shift % 2 == 0);
+    const et_status status = et_exact_param_grid(s, 4, r, 4, &flat, D, ET_PARAM_CHORD, &bits);
+    return gen_check(g, live_end(), "memory is kept") &&
+                   gen_check(g, status == ET_ENOCONV && flat == 77 && bits == before && s[1] == 9 && r[1] == 9, "decided: %a, %a", s[1], r[1])
                ? PASS
                : FAIL;
 }
