@@ -3,6 +3,7 @@
 #include "etalon/base/size.h"
 #include "etalon/exact/exact.h"
 #include "exact/exact_fit_parts.h"
+#include "exact/live.h"
 #include "exact/nearest.h"
 #include "exact/rational.h"
 #include "golden.h"
@@ -259,9 +260,12 @@ static bool draw_curve_problem(gen *g, curve_problem *b, size_t most)
     return true;
 }
 
+/* ET_EINTERNAL: memory is kept. */
 static et_status run_curve(et_vec3 *P, et_exact_lsq *lsq, const curve_problem *b)
 {
-    return et_exact_fit_curve(P, b->n, lsq, b->u, b->n + b->p + 1, b->p, b->t, b->D, b->m);
+    live_begin(b->m % 2 == 0);
+    et_status status = et_exact_fit_curve(P, b->n, lsq, b->u, b->n + b->p + 1, b->p, b->t, b->D, b->m);
+    return live_end() ? status : ET_EINTERNAL;
 }
 
 static int ascending(const void *a, const void *b)
@@ -463,9 +467,12 @@ static bool draw_grid_problem(gen *g, grid_problem *b)
     return true;
 }
 
+/* ET_EINTERNAL: memory is kept. */
 static et_status run_grid(et_vec3 *P, et_exact_lsq *lsq, const grid_problem *b, int corners)
 {
-    return et_exact_fit_grid(P, b->nu, b->nv, lsq, b->u, b->p, b->v, b->q, b->a, b->mu, b->b, b->mv, b->D, corners);
+    live_begin(b->mu % 2 == 0);
+    et_status status = et_exact_fit_grid(P, b->nu, b->nv, lsq, b->u, b->p, b->v, b->q, b->a, b->mu, b->b, b->mv, b->D, corners);
+    return live_end() ? status : ET_EINTERNAL;
 }
 
 /* Of data (i, j) at i*mv + j, control points at i*nv + j. */
@@ -545,6 +552,19 @@ verdict prop_exact_fit_grid_refuses(gen *g)
     c = b;
     c.D[k].z = gen_upto(g, 1) ? NAN : HUGE_VAL;
     ok = ok && gen_check(g, run_grid(P, &lsq, &c, 0) == ET_EINVAL, "a datum");
+    for (size_t e = 0; e < 4; e++) {                        /* a corner that is not the data's */
+        c = b;
+        c.a[0] = c.u[c.p];
+        c.a[c.mu - 1] = c.u[c.nu];
+        c.b[0] = c.v[c.q];
+        c.b[c.mv - 1] = c.v[c.nv];
+        double *end = e == 0 ? c.a : e == 1 ? c.a + c.mu - 1 : e == 2 ? c.b : c.b + c.mv - 1;
+        *end = nextafter(*end, e % 2 == 0 ? HUGE_VAL : -HUGE_VAL);
+        ok = ok && gen_check(g, run_grid(P, &lsq, &c, 1) == ET_EINVAL, "corner %zu", e);
+    }
+    c = b;
+    c.nu = SIZE_MAX - gen_upto(g, 4);
+    ok = ok && gen_check(g, run_grid(P, &lsq, &c, corners) == ET_EINVAL, "%zu control points", c.nu);
     c = b;
     c.u[1] = NAN;
     ok = ok && gen_check(g, run_grid(P, &lsq, &c, corners) == ET_EINVAL, "knots in u");
@@ -601,8 +621,10 @@ verdict prop_exact_fit_scattered(gen *g)
     }
     bool full = rank_of(A) == (slong)n;
     gen_label(g, full ? "full rank" : "rank deficient");
+    live_begin(m % 2 == 0);
     et_status status = et_exact_fit_scattered(P, nu, nv, &lsq, u, p, v, q, a, b, D, m);
-    bool ok = gen_check(g, status == (full ? ET_OK : ET_ERANK), "status %d", (int)status);
+    bool kept = !live_end();
+    bool ok = gen_check(g, !kept, "memory is kept") && gen_check(g, status == (full ? ET_OK : ET_ERANK), "status %d", (int)status);
     ok = ok && (full ? same_solution(g, P, &lsq, A, D, fixed, NULL) : gen_check(g, untouched(P, &lsq), "changed without a solution"));
     P[0].x = 4711.0;
     lsq = NOTHING;
