@@ -1,6 +1,8 @@
 #include "etalon/base/real.h"
 #include "etalon/base/rng.h"
 #include "etalon/exact/exact.h"
+#include "exact/exact_radical_parts.h"
+#include "exact/live.h"
 #include "exact/nearest.h"
 #include "gen.h"
 #include "golden.h"
@@ -208,8 +210,9 @@ static void draw_fit(gen *g, et_fit *f, et_vec3 *data)
     f->data = (et_doublenet){gen_between(g, 2, SIDE), gen_between(g, 2, SIDE)};
     for (size_t w = 0; w < 2; w++) {
         const et_surface *s = &f->shell.view[w];
-        f->s[w] = calloc(f->data.nx, sizeof(double));
-        f->r[w] = calloc(f->data.ny, sizeof(double));
+        f->s[w] = calloc(f->data.nx + 1, sizeof(double));
+        f->r[w] = calloc(f->data.ny + 1, sizeof(double));
+        f->s[w][f->data.nx] = f->r[w][f->data.ny] = NAN;   /* nobody's */
         for (size_t i = 0; i < f->data.nx; i++)
             f->s[w][i] = gen_parameter(g, s->u, s->nu + s->p + 1, s->p) - (double)gen_chance(g, 16);
         for (size_t j = 0; j < f->data.ny; j++)
@@ -295,7 +298,9 @@ static bool measure_refuses(gen *g, et_fit *f, const et_vec3 *data)
     const size_t nov = et_doublenet_nov(f->data);
     const et_doublenet n = f->data;
     et_fit_error e = {1, 2, 3, 4};
-    double residual[CLASSES] = {9}, *t[4] = {f->s[0], f->s[1], f->r[0], f->r[1]}, *at = t[gen_upto(g, 3)], was = *at;
+    const size_t which = gen_upto(g, 3);
+    double residual[CLASSES] = {9}, *t[4] = {f->s[0], f->s[1], f->r[0], f->r[1]};
+    double *at = t[which] + gen_upto(g, (which < 2 ? n.nx : n.ny) - 1), was = *at;
     size_t bits = 7;
     bool ok = et_exact_fit_measure(&e, residual, nov - 1, f, data, &bits) == ET_EINVAL &&
               et_exact_fit_measure(&e, residual, nov + 1, f, data, &bits) == ET_EINVAL;
@@ -323,15 +328,28 @@ static void free_fit(et_fit *f)
     }
 }
 
+/* Whether the precision is what was asked for (128 if nothing was) times 2^k. */
+static bool doubled(size_t used, size_t asked)
+{
+    size_t bits = asked == 0 ? 128 : asked < 2 ? 2 : asked < EXACT_MOST_BITS ? asked : EXACT_MOST_BITS;
+
+    while (bits < used)
+        bits *= 2;
+    return bits == used;
+}
+
 static bool measure_right(gen *g, et_fit *f, const et_vec3 *data)
 {
     const size_t nov = et_doublenet_nov(f->data);
     et_fit_error e, again, want;
-    double residual[CLASSES + 1], expect[CLASSES];
+    double guarded[CLASSES + 2], *residual = guarded + 1, expect[CLASSES];
     size_t bits = 0, start[2];
 
-    residual[nov] = 9;
-    if (!gen_check(g, et_exact_fit_measure(&e, residual, nov, f, data, &bits) == ET_OK && residual[nov] == 9 && bits >= 128, "measured"))
+    residual[-1] = residual[nov] = 9;
+    live_begin(nov % 2 == 0);
+    const et_status status = et_exact_fit_measure(&e, residual, nov, f, data, &bits);
+    if (!gen_check(g, live_end(), "memory is kept") ||
+        !gen_check(g, status == ET_OK && residual[-1] == 9 && residual[nov] == 9 && doubled(bits, 0), "measured"))
         return false;
     want = second_measure(expect, f, data);
     for (size_t k = 0; k < nov; k++)
@@ -343,10 +361,14 @@ static bool measure_right(gen *g, et_fit *f, const et_vec3 *data)
         return false;
     start[0] = 4 * bits;
     start[1] = gen_between(g, 1, 70);
-    for (size_t k = 0; k < 2; k++)
-        if (!gen_check(g, et_exact_fit_measure(&again, NULL, nov, f, data, start + k) == ET_OK && same(&again, &e, sizeof e), "from other bits on") ||
-            !gen_check(g, k == 1 || start[0] >= 4 * bits, "%zu bits", start[0]))
+    for (size_t k = 0; k < 2; k++) {
+        const size_t asked = start[k];
+        live_begin(k == 0);
+        const et_status s = et_exact_fit_measure(&again, NULL, nov, f, data, start + k);
+        if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, s == ET_OK && same(&again, &e, sizeof e), "from other bits on") ||
+            !gen_check(g, doubled(start[k], asked), "%zu bits from %zu on", start[k], asked))
             return false;
+    }
     return gen_check(g, et_exact_fit_measure(&again, NULL, nov, f, data, NULL) == ET_OK && same(&again, &e, sizeof e), "bits not asked for");
 }
 
@@ -361,6 +383,40 @@ verdict prop_exact_fit_measure(gen *g)
     const bool ok = measure_refuses(g, &f, data) && measure_right(g, &f, data) &&
                     et_exact_fit_measure(&e, NULL, et_doublenet_nov(f.data), &f, data, NULL) == ET_OK && near_measure(g, &f, data, &e);
     free_fit(&f);
+    return ok ? PASS : FAIL;
+}
+
+/* The precision is the greater of the two sums'.  Bottom at (2/3, 0, 0), a third of two weights' sum; data on the axis, on both sides of it: distances
+ * from it 2^53 - 2/3, 5/3, 4/3, 2/3 add up to 2^53 + 3, a tie, while those of the top, at (0, 1, 1), have no rational sum.  Or all data at the bottom,
+ * so that one sum is 0 at once and the other 4 sqrt(2). */
+/* One case in 50. */
+verdict prop_exact_fit_measure_bits(gen *g)
+{
+    const bool tie = gen_upto(g, 1) == 1;
+    const double x[4] = {tie ? 0x1p53 : 0, tie ? -1 : 0, tie ? 2 : 0, 0};
+    const size_t shift = gen_upto(g, 3), asked = tie ? 128 : 2;
+    double s[2] = {0.5, 0.5};
+    et_fit f = {.data = {2, 2}, .s = {s, s}, .r = {s, s}};
+    et_fit_error e = {0, 0, 0, 0};
+    et_vec3 data[4];
+    size_t bits = asked;
+
+    et_shell_new(&f.shell, 1, 1, (et_doublenet){2, 2}, 1);
+    for (size_t w = 0; w < 2; w++) {
+        et_surface *v = &f.shell.view[w];
+        v->u[2] = v->u[3] = v->v[2] = v->v[3] = 1;
+        for (size_t k = 0; k < 4; k++) {
+            v->points[k] = (et_vec3){w == 0 && k > 1 && tie ? 1 : 0, (double)w, (double)w};
+            v->weights[k] = k > 1 ? 2 : 1;
+        }
+    }
+    for (size_t k = 0; k < 4; k++)
+        data[k] = (et_vec3){x[(k + shift) % 4], 0, 0};
+    live_begin(0);
+    const et_status status = et_exact_fit_measure(&e, NULL, 4, &f, data, &bits);
+    const bool ok = gen_check(g, live_end(), "memory is kept") && gen_check(g, status == ET_OK && e.nov == (tie ? 0x1p53 + 4 : 0), "nov %a", e.nov) &&
+                    gen_check(g, bits == (tie ? 512 : 64), "%zu bits", bits);
+    et_shell_free(&f.shell);
     return ok ? PASS : FAIL;
 }
 
@@ -560,7 +616,9 @@ verdict prop_exact_seam_gap(gen *g)
     if (kind == 1)
         draw_nearly_equal(g, &s);
     gen_label(g, kind == 0 ? "closed" : kind == 1 ? "nearly equal gaps" : "open");
-    ok = gen_check(g, et_exact_seam_gap(&gap, &s, samples) == ET_OK && et_seam_gap(&fast, &s, samples) == ET_OK, "measured");
+    live_begin(samples % 2 == 0);
+    const et_status status = et_exact_seam_gap(&gap, &s, samples);
+    ok = gen_check(g, live_end(), "memory is kept") && gen_check(g, status == ET_OK && et_seam_gap(&fast, &s, samples) == ET_OK, "measured");
     const et_seam expect = second_gap(&s, samples);
     const double bound = point_bound(&s.view[0]) + point_bound(&s.view[1]) + 0x1p-536;
     ok = ok && gen_check(g, same(&gap, &expect, sizeof gap), "gap %a at (%a, %a), not %a at (%a, %a)", gap.distance, gap.u, gap.v, expect.distance,
@@ -722,7 +780,9 @@ verdict prop_exact_quality_of(gen *g)
 
     draw_job(g, &j);
     before = j;
-    if (!gen_check(g, et_exact_quality_of(&q, j.weights, j.nov, j.net, j.cloud, j.n, &bits) == ET_OK && bits >= 128, "computed") ||
+    live_begin(j.n % 2 == 0);
+    const et_status status = et_exact_quality_of(&q, j.weights, j.nov, j.net, j.cloud, j.n, &bits);
+    if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK && doubled(bits, 0), "computed") ||
         !gen_check(g, memcmp(&j, &before, sizeof j) == 0, "nothing else is written"))
         return FAIL;
     want = second_quality(&j);
@@ -730,10 +790,14 @@ verdict prop_exact_quality_of(gen *g)
         return FAIL;
     start[0] = 4 * bits;
     start[1] = gen_between(g, 1, 70);
-    for (size_t k = 0; k < 2; k++)
-        if (!gen_check(g, et_exact_quality_of(&again, j.weights, j.nov, j.net, j.cloud, j.n, start + k) == ET_OK, "from other bits on") ||
-            !same_quality(g, &again, &q) || !gen_check(g, k == 1 || start[0] >= 4 * bits, "%zu bits", start[0]))
+    for (size_t k = 0; k < 2; k++) {
+        const size_t asked = start[k];
+        live_begin(k == 0);
+        const et_status s = et_exact_quality_of(&again, j.weights, j.nov, j.net, j.cloud, j.n, start + k);
+        if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, s == ET_OK, "from other bits on") || !same_quality(g, &again, &q) ||
+            !gen_check(g, doubled(start[k], asked), "%zu bits from %zu on", start[k], asked))
             return FAIL;
+    }
     return gen_check(g, et_exact_quality_of(&again, j.weights, j.nov, j.net, j.cloud, j.n, NULL) == ET_OK, "no bits") && same_quality(g, &again, &q)
                ? PASS
                : FAIL;
@@ -772,7 +836,10 @@ verdict prop_exact_quality_of_ties(gen *g)
     }
     const double expect = mean_by_hand(ones + 3 * (n - 1 - ones), m, kind == 2, n, scale, &tie);
     gen_label(g, tie ? "tie" : "no tie");
-    if (!gen_check(g, et_exact_quality_of(&q, weights, 4, (et_doublenet){2, 2}, cloud, n, &bits) == ET_OK, "computed"))
+    live_begin(n % 4 == 0);
+    const et_status status = et_exact_quality_of(&q, weights, 4, (et_doublenet){2, 2}, cloud, n, &bits);
+    if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK, "computed") ||
+        !gen_check(g, kind == 0 ? bits == 128 : doubled(bits, 128), "%zu bits", bits))
         return FAIL;
     return gen_check(g, q.qe == expect && bits < 8192, "%llu of %zu: mean %a, not %a; %zu bits", (unsigned long long)m, n, q.qe, expect, bits) ? PASS
                                                                                                                                                : FAIL;
