@@ -178,19 +178,22 @@ static double quadratic(measure *m, double shift)
     return value;
 }
 
-/* |(A'A + t^2 I)^-1/2 A'r| / |x|, t = |r| / |x|, relative to |A| (Karlson and Walden 1997).  A'r is A'A e, free of cancellation. */
+/* |(A'A + t^2 I)^-1/2 A'r| / |x|, t = |r| / |x|, relative to |A| (Karlson and Walden 1997); where A'A is nothing beside t^2, |A'r| / |r|.  A'r is
+ * A'A e, free of cancellation.  Infinite where squares are past any range: points 2^500 times as large as the data. */
 static double coordinate(measure *m, const enclosure_solution *x, size_t c)
 {
-    double solution, residual, value;
+    double solution, residual, gradient, value;
 
     take(m, x, c, &solution, &residual);
     image(m->y, m, m->e);
     adjoint(m->g, m, m->y);
-    if (square(m->g, m->views * m->points) == 0)
+    gradient = square(m->g, m->views * m->points);
+    if (gradient == 0)
         return 0;
-    value = solution > 0 ? sqrt(quadratic(m, residual / solution) / solution) : sqrt(square(m->g, m->views * m->points) / residual);
-    value = value / x->norm / 0x1p-52;
-    return isnan(value) ? HUGE_VAL : value;
+    if (!(solution < 0x1p1000) || !(residual < 0x1p1000) || !(gradient < 0x1p1000))
+        return HUGE_VAL;
+    value = solution > residual * 0x1p-900 ? sqrt(quadratic(m, residual / solution) / solution) : sqrt(gradient / residual);
+    return value / x->norm / 0x1p-52;
 }
 
 et_status enclosure_backward(double *backward, const enclosure_job *job, const enclosure_solution *x)
