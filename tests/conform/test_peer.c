@@ -172,7 +172,7 @@ static bool number_of(gen *g, et_peer *peer, pid_t *pid)
 }
 
 /* Nobody stays, neither a program that ends by itself nor one that does not, nor its children. */
-/* One case in 40. */
+/* One case in 150. */
 verdict prop_peer_stop(gen *g)
 {
     static const char *const commands[] = {
