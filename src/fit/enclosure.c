@@ -69,10 +69,7 @@ static void scale(enclosure_job *k, const et_vec3 *data, size_t nov)
         double most = 0;
         for (size_t i = 0; i < nov; i++)
             most = fmax(most, fabs((&data[i].x)[c]));
-        k->exponent[c] = 0;
-        if (most > 0)
-            frexp(most, &k->exponent[c]);
-        k->lost[c] = 0;
+        frexp(most, &k->exponent[c]); /* 0 of 0 */
         for (size_t w = 0; w < 2; w++)
             for (size_t at = 0; at < k->data.nx * k->data.ny; at++) {
                 const double d = (&data[et_doublenet_class(k->data, w, at / k->data.ny, at % k->data.ny) - 1].x)[c];
@@ -123,7 +120,7 @@ static int proved(double P, et_dd x, double radius, int exponent)
     const double up = ldexp(isfinite(above) ? above : below, -exponent - 1), down = ldexp(isfinite(below) ? below : above, -exponent - 1);
     const double d = et_dd_sub(x, (et_dd){scaled, 0}).hi, slack = (fabs(d) + radius) * 0x1p-49;
 
-    if (x.hi == 0 && x.lo == 0 && radius == 0)
+    if (radius == 0) /* only of a coordinate that is zero throughout */
         return P == 0;
     if (!(up > ENCLOSURE_TINY) || !(down > ENCLOSURE_TINY)) /* what scaling may have rounded proves nothing */
         return 0;
@@ -135,7 +132,7 @@ static double nearest(et_dd x, double radius, int exponent)
 {
     const double P = ldexp(x.hi, exponent), above = nextafter(P, HUGE_VAL), below = nextafter(P, -HUGE_VAL);
 
-    if (isfinite(P) && !proved(P, x, radius, exponent) && fabs(P) < 0x1p-1021)
+    if (fabs(P) < 0x1p-1021 && !proved(P, x, radius, exponent))
         return proved(above, x, radius, exponent) ? above : proved(below, x, radius, exponent) ? below : P + 0.0;
     return P + 0.0; /* no negative zero */
 }
@@ -167,10 +164,9 @@ static int stands(const enclosure_job *k, size_t at)
     return k->fixed && fit_is_corner(k->control, at / k->control.ny, at % k->control.ny);
 }
 
-/* Radii around the points P[view], and how many coordinates are not proved. */
+/* Radii around the points P[view], and how many coordinates are not proved; e is new. */
 static void enclose(et_enclosure *e, const enclosure_job *k, const enclosure_solution *x, et_vec3 *const P[2], const et_vec3 *data)
 {
-    e->undecided = 0;
     for (size_t w = 0; w < 2; w++)
         for (size_t at = 0; at < e->count; at++)
             for (size_t c = 0; c < 3; c++) {

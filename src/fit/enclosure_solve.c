@@ -40,7 +40,7 @@ static double to_orthonormal(double *z, enclosure_system *s)
             s->z[j] = et_dd_add(s->z[j], et_dd_mul((et_dd){s->T[i * n + j], 0}, s->g[i]));
     for (size_t j = 0; j < n; j++) {
         z[j] = s->z[j].hi;
-        most = fabs(z[j]) > most || !(fabs(z[j]) <= most) ? fabs(z[j]) : most;
+        most = fabs(z[j]) <= most ? most : fabs(z[j]); /* if one is NaN so is the last: T is triangular */
     }
     return most;
 }
@@ -129,7 +129,7 @@ static void bound(double *radius, enclosure_system *s, double *zeta, const doubl
         for (size_t j = 0; j < n; j++)
             zeta[j] += s->C[i * n + j] * (s->weight[i] * q[i]);
     for (size_t j = 0; j < n; j++)
-        most = zeta[j] > most || !(zeta[j] <= most) ? zeta[j] : most;
+        most = zeta[j] <= most ? most : zeta[j]; /* if one is NaN so is the last */
     for (size_t i = 0; i < n; i++) {
         sum = 0;
         for (size_t j = i; j < n; j++)

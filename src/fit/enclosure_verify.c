@@ -149,7 +149,7 @@ static double distance_from_identity(const enclosure_system *s, const double *B,
         for (size_t k = 0; k < n; k++)
             x += k == j ? fabs(1 - H[j * n + j]) : fabs(k < j ? H[k * n + j] : H[j * n + k]);
         x = up(x + sum[j], 2 * n + 2 * m + 16) + ENCLOSURE_TINY;
-        most = x > most || !(x <= most) ? x : most;
+        most = x <= most ? most : x; /* if one is NaN all are: row[i] is */
     }
     return most;
 }

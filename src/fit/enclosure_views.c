@@ -3,7 +3,8 @@
  * A view by itself is solved direction by direction, X = Nu+ D and P = X (Nv+)', the radii of X being passed on as errors of the second right-hand
  * side.  Two glued views are separated: with S and T half the sum and half the difference of the views' control points, s and t those of their data,
  *     |D0 - N P0|^2 + |D1 - N P1|^2 = 2 |s - N S|^2 + 2 |t - N T|^2   for interior data,
- * and border data, which see border control points alone, ask for S only, since T is zero there.  Hence T is a product of the directions' interior
+ * and border data, which see border control points alone, ask for S only, since T is zero there (more than p + 1 equal knots at an end leave a
+ * function without support, and a deficient rank, but where all control points are border and T is zero anyway).  Hence T is a product of the directions' interior
  * parts, and S one least-squares problem of a single view in which interior data weigh 2.
  */
 #include "etalon/base/size.h"
@@ -91,7 +92,7 @@ static et_status solve_lines(points *X, enclosure_system *s, const points *D, si
             const size_t at = 3 * (l / 3 * s->columns + j) + l % 3;
             X->x[at] = c.x[j];
             X->error[at] = c.radius[j];
-            if (!(c.radius[j] <= HUGE_VAL / 2) || !isfinite(c.radius[j]) || !isfinite(c.x[j].hi))
+            if (!isfinite(c.radius[j]) || !isfinite(c.x[j].hi))
                 status = ET_ENOCONV;
         }
     }
@@ -407,12 +408,6 @@ static et_status check_rank(const enclosure_job *k)
     return status;
 }
 
-/* Border data see border control points alone: no end knot has more than p + 1 equals. */
-static int ends_clamped_once(const et_surface *s)
-{
-    return s->u[s->p] < s->u[s->p + 1] && s->u[s->nu - 1] < s->u[s->nu] && s->v[s->q] < s->v[s->q + 1] && s->v[s->nv - 1] < s->v[s->nv];
-}
-
 /* ---- all of it ---- */
 
 void enclosure_solution_free(enclosure_solution *x)
@@ -429,11 +424,8 @@ static et_status solve_approach(enclosure_solution *x, const enclosure_job *k)
     const et_fit_approach approach = k->options->approach;
     et_status status = check_rank(k);
 
-    if (status == ET_OK && approach == ET_FIT_JOINT) {
-        if (!ends_clamped_once(&k->fit->shell.view[0]))
-            return et_status_fail(k->message, ET_ENOCONV, "both views: an end knot has more than p + 1 equals");
+    if (status == ET_OK && approach == ET_FIT_JOINT)
         return solve_glued(x, k);
-    }
     for (size_t w = 0; status == ET_OK && w < 2; w++) {
         points P = {x->x[w], x->radius[w]};
         status = k->fixed && approach == ET_FIT_CONVENTIONAL ? solve_whole(&P, x, k, w) : solve_separate(x, k, w);

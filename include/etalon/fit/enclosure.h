@@ -44,7 +44,7 @@ typedef struct {
  * ET_EINVAL: nov, options, or a fit that is not what the options say (rational, other sides or degrees, knots not clamped, parameters that do not run
  * over the domain in order, views that do not share what the approach shares).  ET_ERANK: the exact matrix is rank deficient.  ET_ENOCONV: no bound
  * can be given, the condition number of one direction (fixed corners, joint: of the whole; columns scaled) being about 1e13 and more, basis functions
- * nearly underflowing, or, joint, an end knot having more than p + 1 equals.  ET_ENOMEM.  Freed by et_enclosure_free.
+ * nearly underflowing.  ET_ENOMEM.  Freed by et_enclosure_free.
  * Golden: none (bounds hold with any radius that is not too small; the rows of et_enclosure_refine have radii below half an ulp). */
 /*@ requires valid:     \valid(enclosure) && \valid_read(fit) && \valid_read(options) && \valid_read(data + (0 .. nov - 1));
     requires fit:       et_fit_readable((et_fit *)fit) && et_shell_readable((et_shell *)&fit->shell);
