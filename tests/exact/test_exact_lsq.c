@@ -263,7 +263,7 @@ static bool draw_curve_problem(gen *g, curve_problem *b, size_t most)
 /* ET_EINTERNAL: memory is kept. */
 static et_status run_curve(et_vec3 *P, et_exact_lsq *lsq, const curve_problem *b)
 {
-    live_begin(b->m % 2 == 0);
+    live_begin(b->m + 2 * b->n + b->p);
     et_status status = et_exact_fit_curve(P, b->n, lsq, b->u, b->n + b->p + 1, b->p, b->t, b->D, b->m);
     return live_end() ? status : ET_EINTERNAL;
 }
@@ -470,7 +470,7 @@ static bool draw_grid_problem(gen *g, grid_problem *b)
 /* ET_EINTERNAL: memory is kept. */
 static et_status run_grid(et_vec3 *P, et_exact_lsq *lsq, const grid_problem *b, int corners)
 {
-    live_begin(b->mu % 2 == 0);
+    live_begin(b->mu + b->mv + b->nu + b->p);
     et_status status = et_exact_fit_grid(P, b->nu, b->nv, lsq, b->u, b->p, b->v, b->q, b->a, b->mu, b->b, b->mv, b->D, corners);
     return live_end() ? status : ET_EINTERNAL;
 }
@@ -621,7 +621,7 @@ verdict prop_exact_fit_scattered(gen *g)
     }
     bool full = rank_of(A) == (slong)n;
     gen_label(g, full ? "full rank" : "rank deficient");
-    live_begin(m % 2 == 0);
+    live_begin(m + p);
     et_status status = et_exact_fit_scattered(P, nu, nv, &lsq, u, p, v, q, a, b, D, m);
     bool kept = !live_end();
     bool ok = gen_check(g, !kept, "memory is kept") && gen_check(g, status == (full ? ET_OK : ET_ERANK), "status %d", (int)status);

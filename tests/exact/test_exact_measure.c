@@ -346,7 +346,7 @@ static bool measure_right(gen *g, et_fit *f, const et_vec3 *data)
     size_t bits = 0, start[2];
 
     residual[-1] = residual[nov] = 9;
-    live_begin(nov % 2 == 0);
+    live_begin(f->data.nx + f->data.ny + f->shell.view[0].p);
     const et_status status = et_exact_fit_measure(&e, residual, nov, f, data, &bits);
     if (!gen_check(g, live_end(), "memory is kept") ||
         !gen_check(g, status == ET_OK && residual[-1] == 9 && residual[nov] == 9 && doubled(bits, 0), "measured"))
@@ -363,7 +363,7 @@ static bool measure_right(gen *g, et_fit *f, const et_vec3 *data)
     start[1] = gen_between(g, 1, 70);
     for (size_t k = 0; k < 2; k++) {
         const size_t asked = start[k];
-        live_begin(k == 0);
+        live_begin(f->data.nx + 2 * f->data.ny + k);
         const et_status s = et_exact_fit_measure(&again, NULL, nov, f, data, start + k);
         if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, s == ET_OK && same(&again, &e, sizeof e), "from other bits on") ||
             !gen_check(g, doubled(start[k], asked), "%zu bits from %zu on", start[k], asked))
@@ -616,7 +616,7 @@ verdict prop_exact_seam_gap(gen *g)
     if (kind == 1)
         draw_nearly_equal(g, &s);
     gen_label(g, kind == 0 ? "closed" : kind == 1 ? "nearly equal gaps" : "open");
-    live_begin(samples % 2 == 0);
+    live_begin(samples + s.view[0].nu + s.view[0].nv);
     const et_status status = et_exact_seam_gap(&gap, &s, samples);
     ok = gen_check(g, live_end(), "memory is kept") && gen_check(g, status == ET_OK && et_seam_gap(&fast, &s, samples) == ET_OK, "measured");
     const et_seam expect = second_gap(&s, samples);
@@ -772,6 +772,7 @@ static bool near_quality(gen *g, const job *j, const et_som_quality *q)
                      fast.max_error);
 }
 
+/* One case in 2. */
 verdict prop_exact_quality_of(gen *g)
 {
     static job j, before;
@@ -780,7 +781,7 @@ verdict prop_exact_quality_of(gen *g)
 
     draw_job(g, &j);
     before = j;
-    live_begin(j.n % 2 == 0);
+    live_begin(j.n + j.net.nx);
     const et_status status = et_exact_quality_of(&q, j.weights, j.nov, j.net, j.cloud, j.n, &bits);
     if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK && doubled(bits, 0), "computed") ||
         !gen_check(g, memcmp(&j, &before, sizeof j) == 0, "nothing else is written"))
@@ -792,7 +793,7 @@ verdict prop_exact_quality_of(gen *g)
     start[1] = gen_between(g, 1, 70);
     for (size_t k = 0; k < 2; k++) {
         const size_t asked = start[k];
-        live_begin(k == 0);
+        live_begin(j.n + k);
         const et_status s = et_exact_quality_of(&again, j.weights, j.nov, j.net, j.cloud, j.n, start + k);
         if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, s == ET_OK, "from other bits on") || !same_quality(g, &again, &q) ||
             !gen_check(g, doubled(start[k], asked), "%zu bits from %zu on", start[k], asked))
@@ -836,7 +837,7 @@ verdict prop_exact_quality_of_ties(gen *g)
     }
     const double expect = mean_by_hand(ones + 3 * (n - 1 - ones), m, kind == 2, n, scale, &tie);
     gen_label(g, tie ? "tie" : "no tie");
-    live_begin(n % 4 == 0);
+    live_begin(m / 2);
     const et_status status = et_exact_quality_of(&q, weights, 4, (et_doublenet){2, 2}, cloud, n, &bits);
     if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK, "computed") ||
         !gen_check(g, kind == 0 ? bits == 128 : doubled(bits, 128), "%zu bits", bits))

@@ -161,14 +161,14 @@ static bool draw_plain(gen *g, et_curve *c)
 /* The functions themselves; ET_EINTERNAL: memory is kept. */
 static et_status curve_nearest(double *x, double *distance, double *lower, const et_curve *c, et_vec3 P)
 {
-    live_begin(c->n % 2 == 0);
+    live_begin(c->n + c->p);
     et_status status = et_exact_curve_nearest(x, distance, lower, c, P);
     return live_end() ? status : ET_EINTERNAL;
 }
 
 static et_status surface_nearest(double x[2], double *distance, double *lower, const et_surface *s, et_vec3 P)
 {
-    live_begin(s->nu % 2 == 0);
+    live_begin(s->nu + s->nv + s->q);
     et_status status = et_exact_surface_nearest(x, distance, lower, s, P);
     return live_end() ? status : ET_EINTERNAL;
 }
@@ -176,7 +176,7 @@ static et_status surface_nearest(double x[2], double *distance, double *lower, c
 static et_status surface_error(double *sum, double *greatest, const et_surface *s, const double *a, size_t mu, const double *b, size_t mv,
                                const et_vec3 *D)
 {
-    live_begin(mu % 2 == 0);
+    live_begin(mu + mv);
     et_status status = et_exact_surface_error(sum, greatest, s, a, mu, b, mv, D);
     return live_end() ? status : ET_EINTERNAL;
 }

@@ -134,7 +134,7 @@ static bool precise(gen *g, const double *t, size_t n, const et_vec3 *D, size_t 
 
     for (size_t k = 0; k < 3; k++) {
         const size_t asked = start[k];
-        live_begin(k % 2 == 0);
+        live_begin(n + k);
         const et_status status = et_exact_param_row(s, n, &flat, D, stride, method, start + k);
         if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK && same(s, t, n), "from %zu bits on", asked) ||
             !gen_check(g, doubled(start[k], asked), "%zu bits from %zu on", start[k], asked) ||
@@ -186,7 +186,7 @@ verdict prop_exact_param_row(gen *g)
                    "bad arguments"))
         return FAIL;
     const size_t start = bits;
-    live_begin(n % 2 == 0);
+    live_begin(n + stride);
     const et_status status = et_exact_param_row(t, n, &told, wide, stride, method, &bits);
     if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK && t[n] == 7, "made"))
         return FAIL;
@@ -279,7 +279,7 @@ verdict prop_exact_param_row_ties(gen *g)
         n = method == ET_PARAM_CHORD ? tie_of_chords(D, g, m, scale) : tie_of_roots(D, m, scale);
     }
     gen_label(g, et_param_name(method));
-    live_begin(scale % 2 == 0);
+    live_begin((size_t)(scale + 16));
     const et_status status = et_exact_param_row(t, n, &flat, D, 1, method, &bits);
     if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK && flat == 0, "made") ||
         !gen_check(g, t[tie] == middle(m), "1/2 + %llu/2^54 is %a, not %a", (unsigned long long)m, t[tie], middle(m)) ||
@@ -396,7 +396,7 @@ static bool grid_precise(gen *g, const double *s, size_t nx, const double *r, si
 
     for (size_t k = 0; k < 3; k++) {
         const size_t asked = start[k];
-        live_begin(k % 2 == 0);
+        live_begin(nx + 2 * ny + k);
         const et_status status = et_exact_param_grid(a, nx, b, ny, &flat, D, method, start + k);
         if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK && same(a, s, nx) && same(b, r, ny), "start %zu", k) ||
             !gen_check(g, used == 0 ? start[k] == 0 : start[k] > 0 && doubled(start[k], asked), "%zu bits from %zu on", start[k], asked))
@@ -405,6 +405,7 @@ static bool grid_precise(gen *g, const double *s, size_t nx, const double *r, si
     return gen_check(g, et_exact_param_grid(a, nx, b, ny, &flat, D, method, NULL) == ET_OK && same(a, s, nx) && same(b, r, ny), "no bits");
 }
 
+/* One case in 2. */
 verdict prop_exact_param_grid(gen *g)
 {
     const size_t nx = gen_between(g, 2, SIDE), ny = gen_between(g, 2, SIDE);
@@ -423,7 +424,7 @@ verdict prop_exact_param_grid(gen *g)
                    "bad arguments"))
         return FAIL;
     bits = 0;
-    live_begin(nx % 2 == 0);
+    live_begin(nx + 2 * ny);
     const et_status status = et_exact_param_grid(s, nx, r, ny, &flat, D, method, &bits);
     if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK && s[nx] == 9 && r[ny] == 9, "made"))
         return FAIL;
@@ -465,7 +466,7 @@ verdict prop_exact_param_grid_ties(gen *g)
         put_line(D, line[(j + shift) % 4], 3, 4, j, transposed);
     for (size_t i = 0; i < 12; i++)
         D[i] = scaled(D[i], scale);
-    live_begin(m % 4 == 1);
+    live_begin(m / 2 + shift);
     const et_status status = et_exact_param_grid(s, transposed ? 4 : 3, r, transposed ? 3 : 4, &flat, D, ET_PARAM_CHORD, &bits);
     if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK, "made"))
         return FAIL;
@@ -509,7 +510,7 @@ verdict prop_exact_param_grid_ties_of_kinds(gen *g)
     for (size_t k = 0; k < 5; k++)
         line[k] = (et_vec3){0, k > 2 ? 5 : 0, 0};
     put_line(D, line, 5, 4, 2, transposed);
-    live_begin(m % 4 == 1);
+    live_begin(m / 2);
     const et_status status = et_exact_param_grid(s, transposed ? 4 : 5, r, transposed ? 5 : 4, &flat, D, ET_PARAM_CHORD, &bits);
     if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK, "made"))
         return FAIL;
@@ -542,7 +543,7 @@ verdict prop_exact_param_grid_undecided(gen *g)
         put_line(D, line[(j + shift) % 4], 4, 4, j, transposed);
     for (size_t i = 0; i < 16; i++)
         D[i] = scaled(D[i], scale);
-    live_begin(shift % 2 == 0);
+    live_begin(shift);
     const et_status status = et_exact_param_grid(s, 4, r, 4, &flat, D, ET_PARAM_CHORD, &bits);
     return gen_check(g, live_end(), "memory is kept") &&
                    gen_check(g, status == ET_ENOCONV && flat == 77 && bits == before && s[1] == 9 && r[1] == 9, "decided: %a, %a", s[1], r[1])
