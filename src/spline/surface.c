@@ -264,7 +264,7 @@ static void cubics_distances(cubics *restrict c, const finder *restrict f, const
         c->L1[k] = t[k] - u[0];
         c->L2[k] = t[k] - u[-1];
         c->L3[k] = L3;
-        c->R1[k] = u[1] - t[k];
+        c->R1[k] = u[1] - t[k] + 0.0;         /* no -0: et_basis_eval adds this function's value to 0 */
         c->R2[k] = u[2] - t[k];
         c->R3[k] = R3;
         c->ends |= (L3 == 0.0) | (R3 == 0.0);
