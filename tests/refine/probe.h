@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PROBE_COORDINATES = 12, PROBE_POPULATION = 9 };
+enum { PROBE_COORDINATES = 15, PROBE_POPULATION = 9 };
 
 typedef enum { PROBE_SPHERE, PROBE_ROSENBROCK, PROBE_STEPS, PROBE_CONSTANT } probe_kind;
 
@@ -85,7 +85,7 @@ static inline problem gen_problem(gen *g)
     *o = et_search_defaults();
     o->population = gen_between(g, 4, PROBE_POPULATION);
     o->group = gen_between(g, 1, 3);
-    q.n = o->group * gen_between(g, 1, PROBE_COORDINATES / 3);
+    q.n = o->group * gen_between(g, 1, PROBE_COORDINATES / o->group);     /* one less than a block of eight, too */
     o->spread = radius[gen_upto(g, 5)];
     o->box = box[gen_upto(g, 5)];
     o->tournament = gen_between(g, 1, 5);

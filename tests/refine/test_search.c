@@ -104,12 +104,12 @@ verdict prop_search_start_invalid(gen *g)
     probe p = probe_of(q.kind, q.x0, q.options.box);
     et_search s, old;
     et_rng *rng = NULL;
-    const uint64_t how = gen_upto(g, 36);
+    const uint64_t how = gen_upto(g, 37);
     memset(&s, 0x5a, sizeof s);
     memcpy(&old, &s, sizeof s);
     if (how <= 32) spoil(&q.options, &q.n, how);
     bool ok = et_rng_new(&rng, q.seed) == ET_OK;
-    const et_status status = et_search_start(&s, how == 33 ? NULL : q.x0, q.n, how == 34 ? NULL : &q.options, 0, how == 35 ? NULL : probe_call, &p,
+    const et_status status = et_search_start(how == 37 ? NULL : &s, how == 33 ? NULL : q.x0, q.n, how == 34 ? NULL : &q.options, 0, how == 35 ? NULL : probe_call, &p,
                                              how == 36 ? NULL : rng);
     ok = ok && gen_check(g, status == ET_EINVAL, "fault %zu was accepted", (size_t)how);
     ok = ok && gen_check(g, memcmp(&s, &old, sizeof s) == 0 && p.calls == 0 && et_rng_tell(rng) == 0, "something happened");
@@ -127,6 +127,10 @@ verdict prop_search_start_too_large(gen *g)
     q.options.population = SIZE_MAX - gen_upto(g, 3) * (SIZE_MAX / 8);
     q.options.group = 1;
     q.n = PROBE_COORDINATES;
+    if (gen_upto(g, 1)) {                 /* or as many coordinates, none of which is read */
+        q.options.population = 4;
+        q.n = SIZE_MAX;
+    }
     bool ok = et_rng_new(&rng, 1) == ET_OK;
     ok = ok && gen_check(g, et_search_start(&s, q.x0, q.n, &q.options, 1, probe_call, &p, rng) == ET_ENOMEM && p.calls == 0, "status");
     et_rng_free(rng);
@@ -187,6 +191,25 @@ verdict prop_search_clamp(gen *g)
         const double lo = q.x0[k] - box, hi = q.x0[k] + box, want = box <= 0.0 || (x[k] >= lo && x[k] <= hi) ? x[k] : x[k] < lo ? lo : hi;
         ok = gen_check(g, same_bits(&want, &y[k], 1), "coordinate %zu: %a, not %a", k, y[k], want);
     }
+    trial_end(&t);
+    return ok ? PASS : FAIL;
+}
+
+/* At an end of the box that is 0 a coordinate -0 is within, and stays -0. */
+verdict prop_search_clamp_zeros(gen *g)
+{
+    problem q = gen_problem(g);
+    trial t;
+    double x[PROBE_COORDINATES];
+    const double zero = -0.0;
+    q.options.box = 0.5;
+    for (size_t k = 0; k < q.n; k++) {
+        q.x0[k] = gen_upto(g, 1) ? -0.5 : 0.5;
+        x[k] = zero;
+    }
+    bool ok = trial_start(&t, &q, 0);
+    if (ok) et_search_clamp(x, &t.search);
+    for (size_t k = 0; k < q.n && ok; k++) ok = gen_check(g, same_bits(&zero, &x[k], 1), "coordinate %zu of %zu: %a", k, q.n, x[k]);
     trial_end(&t);
     return ok ? PASS : FAIL;
 }
