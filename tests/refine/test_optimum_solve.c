@@ -215,8 +215,9 @@ static bool run(expected *e, const double *b, double tolerance)
 
 /* ---- the property ---- */
 
-/* Positive numbers, or I + f q q', some of them far from the others. */
-static void draw_weights(gen *g, double *weight, size_t nov, bool blocks)
+/* Positive numbers, or I + f q q', some of them far from the others.  odd: all of them zero, or some of them negative: then nothing is solved, but that
+ * is told, and what comes out is determined all the same. */
+static void draw_weights(gen *g, double *weight, size_t nov, bool blocks, size_t odd)
 {
     const int far = (int)gen_upto(g, 3) * 25;
 
@@ -228,6 +229,8 @@ static void draw_weights(gen *g, double *weight, size_t nov, bool blocks)
         for (size_t i = 0, k = 0; i < 3 && blocks; i++)
             for (size_t j = i; j < 3; j++, k++)
                 h[k] = size * (q[i] * q[j] + (i == j ? 0x1p-4 : 0));
+        for (size_t k = 0; k < (blocks ? 6 : 1) && odd > 0; k++)
+            h[k] *= odd == 1 ? 0 : gen_chance(g, 4) ? -1 : 1;
     }
 }
 
@@ -249,11 +252,31 @@ static bool same_solution(gen *g, const optimum_solver *s, const expected *e)
     return ok;
 }
 
+/* What is taken of a pair is its sum, whatever stands in it. */
+static bool taken(gen *g, optimum_solver *s)
+{
+    double x[3 * NODES], w[3 * OPTIMUM_CLASSES];
+    const size_t n = 3 * s->model->m, nov = 3 * s->model->nov;
+    bool ok = true;
+
+    for (size_t k = 0; k < 2 * n; k++)
+        s->x[k] = (double)(k + 1);
+    for (size_t k = 0; k < 2 * nov; k++)
+        s->w[k] = (double)(3 * k + 2);
+    optimum_solve_take(x, w, s);
+    for (size_t k = 0; k < n && ok; k++)
+        ok = gen_check(g, x[k] == (double)(4 * k + 3), "x[%zu]: %g", k, x[k]);
+    for (size_t k = 0; k < nov && ok; k++)
+        ok = gen_check(g, w[k] == (double)(12 * k + 7), "w[%zu]: %g", k, w[k]);
+    return ok;
+}
+
 /* One case in 6. */
 verdict prop_optimum_find_solve(gen *g)
 {
     static expected e;
     const bool blocks = gen_chance(g, 2);
+    const size_t odd = gen_chance(g, 4) ? gen_between(g, 1, 2) : 0;
     const double tolerance = ldexp(1, -(int)gen_between(g, 12, 50));
     double weight[6 * OPTIMUM_CLASSES], b[3 * NODES];
     optimum_case c;
@@ -268,20 +291,23 @@ verdict prop_optimum_find_solve(gen *g)
     e.m = &m;
     e.blocks = blocks;
     e.weight = weight;
-    draw_weights(g, weight, c.nov, blocks);
+    draw_weights(g, weight, c.nov, blocks, odd);
     for (size_t k = 0; k < 3 * m.m; k++)
         b[k] = gen_real(g, -1, 1);
     ok = optimum_solve_new(&s, &m, blocks) == ET_OK && optimum_band_new(&e.band, (blocks ? 3 : 1) * m.m, blocks ? 3 * m.half + 2 : m.half) == ET_OK;
     s.ridge = 1;                          /* of another matrix */
     optimum_solve_factor(&s, weight);
     factor(&e);
-    for (size_t k = 0; k < 2 && ok; k++) {  /* a second right side keeps the ridge */
+    for (size_t k = 0; k < 3 && ok; k++) {  /* a second right side keeps the ridge; the third is 0, and so is its solution */
         const bool want = run(&e, b, tolerance);
 
         ok = gen_check(g, optimum_solve_run(&s, b, tolerance) == want, "%s", want ? "not solved" : "solved") && same_solution(g, &s, &e);
         gen_label(g, !want ? "not solved" : e.ridge > 0 ? "ridge" : "solved");
-        b[0] = k == 0 ? 1 : b[0];
+        b[0] = 1;
+        if (k == 1)
+            memset(b, 0, sizeof b);
     }
+    ok = ok && taken(g, &s);
     optimum_band_free(&e.band);
     optimum_solve_free(&s);
     optimum_model_free(&m);
