@@ -1,5 +1,6 @@
 #include "etalon/refine/objective.h"
 #include "etalon/base/real.h"
+#include "etalon/spline/knots.h"
 #include "golden.h"
 #include "gen.h"
 #include <math.h>
@@ -83,9 +84,9 @@ static bool gen_instance(gen *g, instance *c, size_t most)
 }
 
 /* A larger net whose coordinates cost no draws. */
-static bool large_instance(gen *g, instance *c, size_t p, size_t q)
+static bool net_instance(gen *g, instance *c, size_t p, size_t q, et_doublenet control)
 {
-    const et_doublenet control = { SIDE - 2, SIDE - 1 }, data = { SIDE, SIDE - 1 };
+    const et_doublenet data = { SIDE, SIDE - 1 };
     const size_t seed = gen_upto(g, 1023);
     if (!allocate(c, p, q, control, data)) return false;
     et_surface *s = &c->fit.shell.view[ET_BOTTOM];
@@ -98,6 +99,11 @@ static bool large_instance(gen *g, instance *c, size_t p, size_t q)
     for (size_t k = 0; k < c->n; k++) c->x[k] = (double)((k * 104729 + seed) % 997) / 997.0;
     place(c, c->x);
     return true;
+}
+
+static bool large_instance(gen *g, instance *c, size_t p, size_t q)
+{
+    return net_instance(g, c, p, q, (et_doublenet){ SIDE - 2, SIDE - 1 });
 }
 
 static void end(instance *c)
@@ -153,8 +159,9 @@ verdict prop_objective_new(gen *g)
 static void spoil(gen *g, instance *c, uint64_t how)
 {
     et_surface *top = &c->fit.shell.view[ET_TOP];
-    if (how == 0) c->fit.s[ET_TOP][gen_upto(g, c->fit.data.nx - 1)] += 0x1p-40;
-    else if (how == 1) c->fit.r[ET_TOP][gen_upto(g, c->fit.data.ny - 1)] += 0x1p-40;
+    const double by = gen_upto(g, 1) ? -0x1p-40 : 0x1p-40;
+    if (how == 0) c->fit.s[ET_TOP][gen_upto(g, c->fit.data.nx - 1)] += by;
+    else if (how == 1) c->fit.r[ET_TOP][gen_upto(g, c->fit.data.ny - 1)] += by;
     else if (how == 2) top->points[gen_upto(g, 1) ? top->nv - 1 : 0].y += 1e200;
     else if (how == 3) c->nov += gen_upto(g, 1) ? 1 : (size_t)-1;
     else if (how == 4) c->fit.data.nx = 1;
@@ -235,6 +242,89 @@ verdict prop_objective_counts(gen *g)
     return ok ? PASS : FAIL;
 }
 
+/* Control points that see little: bilinear, all parameters within the first spans. */
+static bool corner_instance(gen *g, instance *c)
+{
+    const et_doublenet control = { SIDE, SIDE }, data = { gen_between(g, 2, 4), gen_between(g, 2, 4) };
+    if (!allocate(c, 1, 1, control, data)) return false;
+    et_surface *s = &c->fit.shell.view[ET_BOTTOM];
+    for (size_t i = 0; i < SIDE + 2; i++) s->u[i] = s->v[i] = i < 1 ? 0.0 : i > SIDE ? 1.0 : (double)(i - 1) / (SIDE - 1);
+    for (size_t i = 0; i < data.nx; i++) c->fit.s[ET_BOTTOM][i] = (double)i * 0x1p-6;
+    for (size_t j = 0; j < data.ny; j++) c->fit.r[ET_BOTTOM][j] = (double)j * 0x1p-6;
+    close_shell(c);
+    for (size_t k = 0; k < 3 * c->nov; k++) (&c->data[0].x)[k] = (double)(k % 7);
+    for (size_t k = 0; k < c->n; k++) c->x[k] = (double)(k % 11) + 1.0;
+    place(c, c->x);
+    return true;
+}
+
+/* How many of the parameters lie where the basis function i is one of the p+1 in use. */
+static size_t seen_by(size_t i, const double *u, size_t nu, size_t p, const double *t, size_t nt)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < nt; k++) {
+        const size_t span = et_knots_span(u, nu, p, t[k]);
+        count += i <= span && i + p >= span;
+    }
+    return count;
+}
+
+/* Data classes within reach of a control class; those of a border in both views. */
+static size_t cost(const instance *c, size_t class)
+{
+    const et_surface *s = &c->fit.shell.view[ET_BOTTOM];
+    const et_index v = et_doublenet_index(c->control, class + 1);
+    return seen_by(v.i, s->u, s->nu + s->p + 1, s->p, c->fit.s[0], c->fit.data.nx) *
+           seen_by(v.j, s->v, s->nv + s->q + 1, s->q, c->fit.r[0], c->fit.data.ny) * (v.k == 1 ? 2 : 1);
+}
+
+/* E of x as an objective has it that never saw another candidate. */
+static bool afresh(double *value, const instance *c, const double *x)
+{
+    et_objective *f = NULL;
+    const bool ok = et_objective_new(&f, &c->fit, c->data, c->nov) == ET_OK && et_objective_eval(value, x, c->n, f) == ET_OK;
+    et_objective_free(f);
+    return ok;
+}
+
+/* Signs change: of a few control points, or of all that see no data; how far that reaches. */
+static size_t turn(gen *g, const instance *c, double *x, bool unseen)
+{
+    size_t reached = 0;
+    bool turned[CLASSES] = { false };
+    for (size_t m = unseen ? 0 : gen_between(g, 1, 8); m > 0; m--) turned[gen_upto(g, c->n / 3 - 1)] = true;
+    for (size_t k = 0; k < c->n / 3; k++) {
+        if (!(unseen ? cost(c, k) == 0 : turned[k])) continue;
+        x[3 * k + k % 3] = -x[3 * k + k % 3];
+        reached += cost(c, k);
+    }
+    return reached;
+}
+
+/* Incremental just as long as what differs reaches at most a sixth of the data. */
+verdict prop_objective_counts_cost(gen *g)
+{
+    instance c;
+    et_objective *f = NULL;
+    double x[3 * CLASSES], value = -1.0, want = -2.0;
+    uint64_t full = 0, incremental = 0, expected = 0;
+    const uint64_t kind = gen_upto(g, 3);
+    bool ok = kind == 0 ? corner_instance(g, &c) : kind == 1 ? gen_instance(g, &c, 7) : large_instance(g, &c, gen_between(g, 1, 3), gen_between(g, 1, 2));
+    memcpy(x, c.x, c.n * sizeof *x);
+    ok = ok && et_objective_new(&f, &c.fit, c.data, c.nov) == ET_OK && et_objective_eval(&value, x, c.n, f) == ET_OK;
+    for (size_t k = 0; k < 3 && ok; k++) {
+        const size_t reached = turn(g, &c, x, kind == 0 && k == 0);
+        expected += reached <= c.nov / 6;
+        ok = et_objective_eval(&value, x, c.n, f) == ET_OK && afresh(&want, &c, x) && gen_check(g, same(value, want), "%a, not %a", value, want);
+        et_objective_counts(&full, &incremental, f);
+        ok = ok && gen_check(g, incremental == expected && full == k + 2 - expected, "%zu incremental, not %zu: %zu of %zu", (size_t)incremental,
+                             (size_t)expected, reached, c.nov);
+    }
+    et_objective_free(f);
+    end(&c);
+    return ok ? PASS : FAIL;
+}
+
 /* ---- eval ---- */
 
 /* The next candidate: the same, a few control points moved, the first one again, or everything moved. */
@@ -304,6 +394,73 @@ verdict prop_objective_eval_each(gen *g)
     ok = ok && et_objective_eval(&again, c.x, c.n, f) == ET_OK && gen_check(g, same(first, again), "moved back: %a, not %a", again, first);
     if (ok) et_objective_counts(&full, &incremental, f);
     ok = ok && gen_check(g, full == 1 && incremental == 2, "%zu full evaluations", (size_t)full);
+    et_objective_free(f);
+    end(&c);
+    return ok ? PASS : FAIL;
+}
+
+/* One coordinate of many that are alike: all zero, with zeros on both sides of the candidate, or all one ulp above what the one becomes. */
+/* One case in 4. */
+verdict prop_objective_eval_alike(gen *g)
+{
+    instance c;
+    et_objective *f = NULL;
+    double room[12 * CLASSES] = { 0 }, *x = room + 3 * CLASSES;
+    const bool ulp = gen_upto(g, 1);
+    bool ok = large_instance(g, &c, 3, 2) && et_objective_new(&f, &c.fit, c.data, c.nov) == ET_OK;
+    for (size_t k = 0; k < c.n && ulp; k++) x[k] = 1.0 + 0x1p-52;
+    ok = ok && evaluates(g, f, &c, x);
+    for (size_t k = 0; k < 3 && ok; k++) {
+        x[gen_upto(g, c.n - 1)] = ulp ? 1.0 : 0.5;
+        ok = evaluates(g, f, &c, x);
+    }
+    et_objective_free(f);
+    end(&c);
+    return ok ? PASS : FAIL;
+}
+
+/* Control points near the corners, one after another: each view's net keeps what is its own. */
+/* One case in 2. */
+verdict prop_objective_eval_corners(gen *g)
+{
+    instance c;
+    et_objective *f = NULL;
+    double value = -1.0, want = -2.0;
+    uint64_t full = 0, incremental = 0;
+    const size_t nu = SIDE - 2, nv = gen_upto(g, 1) ? SIDE - 1 : 8;              /* 8: rows of control points without a gap */
+    bool ok = net_instance(g, &c, 3, 2, (et_doublenet){ nu, nv }) && et_objective_new(&f, &c.fit, c.data, c.nov) == ET_OK;
+    ok = ok && et_objective_eval(&value, c.x, c.n, f) == ET_OK;
+    for (size_t k = 0; k < 8 && ok; k++) {
+        const size_t i = gen_upto(g, 1), j = gen_upto(g, 1), at = gen_upto(g, 7);
+        c.x[3 * (et_doublenet_class(c.control, at & 1, at & 2 ? i : nu - 1 - i, at & 4 ? j : nv - 1 - j) - 1) + k % 3] += 1.0;
+        ok = et_objective_eval(&value, c.x, c.n, f) == ET_OK && afresh(&want, &c, c.x) && gen_check(g, same(value, want), "%a, not %a", value, want);
+    }
+    if (ok) et_objective_counts(&full, &incremental, f);
+    ok = ok && gen_check(g, full == 1 && incremental == 8, "%zu full evaluations", (size_t)full);
+    et_objective_free(f);
+    end(&c);
+    return ok ? PASS : FAIL;
+}
+
+/* Knots that are not clamped, and parameters on both sides beyond the domain. */
+/* One case in 4. */
+verdict prop_objective_eval_unclamped(gen *g)
+{
+    instance c;
+    et_objective *f = NULL;
+    const size_t p = gen_between(g, 1, 3), q = gen_between(g, 1, 3);
+    bool ok = large_instance(g, &c, p, q);
+    et_surface *s = &c.fit.shell.view[ET_BOTTOM];
+    for (size_t i = 0; ok && i < s->nu + p + 1; i++) s->u[i] = (double)i;
+    for (size_t j = 0; ok && j < s->nv + q + 1; j++) s->v[j] = (double)j * 0.5;
+    for (size_t i = 0; ok && i < c.fit.data.nx; i++) c.fit.s[ET_BOTTOM][i] = gen_real(g, 0.0, (double)(s->nu + p));
+    for (size_t j = 0; ok && j < c.fit.data.ny; j++) c.fit.r[ET_BOTTOM][j] = gen_real(g, 0.0, (double)(s->nv + q) * 0.5);
+    if (ok) {
+        qsort(c.fit.s[ET_BOTTOM], c.fit.data.nx, sizeof(double), compare);
+        qsort(c.fit.r[ET_BOTTOM], c.fit.data.ny, sizeof(double), compare);
+        close_shell(&c);
+    }
+    ok = ok && et_objective_new(&f, &c.fit, c.data, c.nov) == ET_OK && evaluates(g, f, &c, c.x);
     et_objective_free(f);
     end(&c);
     return ok ? PASS : FAIL;
