@@ -80,7 +80,8 @@ static bool any_job(gen *g, job *j)
         j->net = gen_chance(g, 2) ? (et_doublenet){2, 50} : (et_doublenet){50, 2};
     j->n = gen_between(g, 1, FEW);
     if (gen_chance(g, 20)) { /* more than one block, on the least net */
-        j->n = gen_between(g, BLOCK - 1, POINTS);
+        static const size_t edges[] = {BLOCK - 1, BLOCK, 2 * BLOCK - 1, 2 * BLOCK};
+        j->n = gen_upto(g, 1) ? edges[gen_upto(g, 3)] : gen_between(g, BLOCK - 1, POINTS);
         j->net = (et_doublenet){2, 2};
         gen_label(g, "several blocks");
     }

@@ -690,6 +690,56 @@ verdict prop_curve_remove_weights(gen *g)
     return ok ? PASS : FAIL;
 }
 
+/* All control points 0: a polynomial curve is not moved, by nothing at all, though shares of weights are rounded. */
+verdict prop_curve_remove_zeros(gen *g)
+{
+    size_t p = 1 + (size_t)gen_upto(g, 3), removed = 77;
+    et_curve c, t;
+    if (et_curve_new(&c, p, p + 4, 0) != ET_OK) {
+        return FAIL;
+    }
+    double x = 0.0;
+    for (size_t i = 0; i < 2 * p + 5; i++) {
+        x += i > p && i <= p + 4 ? gen_real(g, 0.1, 1.0) : 0.0;
+        c.u[i] = x;
+    }
+    x = c.u[p + 1 + (size_t)gen_upto(g, 2)];
+    bool ok = gen_check(g, et_curve_remove(&t, &removed, &c, x, 1, 0.0) == ET_OK && removed == 1, "%zu removed", removed);
+    for (size_t i = 0; ok && i < t.n; i++) {
+        ok = gen_check(g, t.points[i].x == 0.0 && t.points[i].y == 0.0 && t.points[i].z == 0.0, "control point %zu", i);
+    }
+    et_curve_free(&c);
+    et_curve_free(&t);
+    return ok ? PASS : FAIL;
+}
+
+/* Both ways to the point left agree, its weight 2 w_1 - w_0 is positive, and the point is infinite: nothing is returned. */
+verdict prop_curve_remove_overflow(gen *g)
+{
+    static const double u[] = {0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0};
+    size_t removed = 77;
+    double weight = ldexp(1.0, -(int)gen_between(g, 40, 52)), far = gen_upto(g, 1) ? 0x1p1000 : -0x1p1000;
+    bool infinite = gen_upto(g, 1) == 1;
+    et_curve c, t = untouched();
+    if (et_curve_new(&c, 2, 4, 1) != ET_OK) {
+        return FAIL;
+    }
+    memcpy(c.u, u, sizeof u);
+    for (size_t i = 0; i < 4; i++) {
+        bool end = i == 0 || i == 3;
+        c.points[i] = (et_vec3){1.0, (end ? -1.0 : 1.0) * (infinite ? far : 1.0), 0.0};
+        c.weights[i] = end ? 2.0 - weight : 1.0;
+    }
+    et_status status = et_curve_remove(&t, &removed, &c, 0.5, 1, 0x1p900);
+    bool ok = infinite ? gen_check(g, status == ET_EINVAL && removed == 77 && is_untouched(&t), "status %d, %zu removed", (int)status, removed)
+                       : gen_check(g, status == ET_OK && removed == 1 && t.weights[1] == weight && t.points[1].y == (4.0 - weight) / weight, "%a", t.points[1].y);
+    et_curve_free(&c);
+    if (status == ET_OK) {
+        et_curve_free(&t);
+    }
+    return ok ? PASS : FAIL;
+}
+
 /* ---- elevation ---- */
 
 static double elevation_roundings(size_t p, size_t times)

@@ -198,6 +198,46 @@ verdict prop_surface_remove_again(gen *g)
     return ok ? PASS : FAIL;
 }
 
+/* One line of several, quadratic: the point left of it would be infinite, or its weight not positive, or neither: then the knot goes, with no movement
+ * allowed.  The other lines are 0 throughout and of equal weights. */
+verdict prop_surface_remove_lines(gen *g)
+{
+    static const double u[] = {0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0};
+    size_t count = 2 + (size_t)gen_upto(g, 5), one = (size_t)gen_upto(g, count - 1), removed = 77, kind = (size_t)gen_upto(g, 2);
+    et_direction along = gen_upto(g, 1) ? ET_ALONG_V : ET_ALONG_U;
+    bool v = along == ET_ALONG_V;
+    et_surface s, t = untouched();
+    if (et_surface_new(&s, v ? 1 : 2, v ? 2 : 1, v ? count : 4, v ? 4 : count, kind == 1) != ET_OK) {
+        return FAIL;
+    }
+    double *across = v ? s.u : s.v;
+    memcpy(v ? s.v : s.u, u, sizeof u);
+    for (size_t j = 0; j < count + 2; j++) {
+        across[j] = j < 1 ? 0.0 : j > count ? (double)(count - 1) : (double)(j - 1);
+    }
+    /* Solved from the left as (P_1 - b P_0)/a with a = 2^-40. */
+    if (kind == 2) {
+        (v ? s.v : s.u)[3] = 0x1p-40;
+    }
+    for (size_t i = 0; i < 4; i++) {
+        size_t at = v ? one * 4 + i : i * count + one;
+        if (kind == 1) {
+            s.weights[at] = i == 1 || i == 2 ? 1.0 : 4.0;
+        }
+        if (kind == 2) {
+            s.points[at].y = i == 1 ? 0x1p1020 : 0.0;
+        }
+    }
+    et_status status = et_surface_remove(&t, &removed, &s, along, (v ? s.v : s.u)[3], 1, kind == 0 ? 0.0 : 0x1p900);
+    bool ok = gen_check(g, status == ET_OK && removed == (kind == 0), "line %zu of %zu, kind %zu: status %d, %zu removed", one, count, kind, (int)status, removed);
+    ok = ok && gen_check(g, kind == 0 || same_surface(&t, &s), "not a copy");
+    et_surface_free(&s);
+    if (status == ET_OK) {
+        et_surface_free(&t);
+    }
+    return ok ? PASS : FAIL;
+}
+
 verdict prop_surface_insert_refused(gen *g)
 {
     et_surface s, t = untouched();
