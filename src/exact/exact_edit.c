@@ -314,19 +314,14 @@ static int change_raise(change *m, const change *old)
     if (!change_init(m, old->p + 1, old->n + different(old->u, nu) - 1)) {
         return 0;
     }
-    size_t nt = m->n + m->p + 1;
     raise_knots(m->u, old->u, nu);
     for (size_t j = 0; j < m->n; j++) {
-        while (i + 1 < nt && (i < j || m->u[i] == m->u[i + 1])) {
+        while (i <= j + m->p && (i < j || m->u[i] == m->u[i + 1])) {
             before += m->u[i] < m->u[i + 1];
             i++;
         }
-        if (i + 1 == nt || i > j + m->p) {
-            const band *row = old->row + j - before;
-            band_init(m->row + j, row->first, row->n);
-            for (size_t r = 0; r < row->n; r++) {
-                fmpq_set(m->row[j].v + r, row->v + r);
-            }
+        if (i > j + m->p) {
+            band_unit(m->row + j, old->row[j - before].first);
         } else {
             mean_of_blossoms(m->row + j, old, i - before - 1, m->u + j + 1);
         }
