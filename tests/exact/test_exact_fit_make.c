@@ -1,6 +1,7 @@
 /* All stages of an exact fit, and what follows from exactness: symmetries hold bit for bit, planted surfaces come back, the fast fit is near. */
 #include "etalon/base/real.h"
 #include "exact/exact_parts.h"
+#include "exact/live.h"
 #include "gen.h"
 #include "golden.h"
 #include <arb_mat.h>
@@ -9,6 +10,32 @@
 #include <string.h>
 
 enum { SIDE = 6, LARGE = 12, NODES = SIDE * SIDE, CLASSES = 2 * LARGE * LARGE };
+
+/* ---- the functions, memory counted: ET_EINTERNAL if any is kept ---- */
+
+static et_status fit_make(et_fit *f, const et_vec3 *data, size_t nov, et_doublenet n, const et_fit_options *o, size_t *bits, const et_task *task,
+                          et_message *message)
+{
+    live_begin(nov % 2 == 0);
+    const et_status status = et_exact_fit_make(f, data, nov, n, o, bits, task, message);
+    return live_end() ? status : ET_EINTERNAL;
+}
+
+static et_status fit_parameters(et_fit *f, const et_vec3 *data, size_t nov, et_doublenet n, et_fit_approach approach, et_param_method method,
+                                size_t *bits)
+{
+    live_begin(nov % 2 == 0);
+    const et_status status = et_exact_fit_parameters(f, data, nov, n, approach, method, bits);
+    return live_end() ? status : ET_EINTERNAL;
+}
+
+static et_status fit_solve(et_fit *f, const et_vec3 *data, size_t nov, const et_fit_options *o, size_t *bits, const et_task *task,
+                           et_message *message)
+{
+    live_begin(nov % 2 == 0);
+    const et_status status = et_exact_fit_solve(f, data, nov, o, bits, task, message);
+    return live_end() ? status : ET_EINTERNAL;
+}
 
 /* ---- cases ---- */
 
@@ -172,10 +199,10 @@ static bool parameters_refused(gen *g, const problem *c)
     const et_fit was = f;
 
     return gen_check(g,
-                     et_exact_fit_parameters(&f, c->data, c->nov + 1, c->net, o->approach, o->method, &bits) == ET_EINVAL &&
-                         et_exact_fit_parameters(&f, c->data, c->nov, (et_doublenet){c->net.nx, 1}, o->approach, o->method, &bits) == ET_EINVAL &&
-                         et_exact_fit_parameters(&f, c->data, c->nov, c->net, (et_fit_approach)3, o->method, &bits) == ET_EINVAL &&
-                         et_exact_fit_parameters(&f, c->data, c->nov, c->net, o->approach, (et_param_method)4, &bits) == ET_EINVAL &&
+                     fit_parameters(&f, c->data, c->nov + 1, c->net, o->approach, o->method, &bits) == ET_EINVAL &&
+                         fit_parameters(&f, c->data, c->nov, (et_doublenet){c->net.nx, 1}, o->approach, o->method, &bits) == ET_EINVAL &&
+                         fit_parameters(&f, c->data, c->nov, c->net, (et_fit_approach)3, o->method, &bits) == ET_EINVAL &&
+                         fit_parameters(&f, c->data, c->nov, c->net, o->approach, (et_param_method)4, &bits) == ET_EINVAL &&
                          memcmp(&f, &was, sizeof f) == 0 && bits == 77,
                      "bad arguments");
 }
@@ -190,19 +217,19 @@ verdict prop_exact_fit_parameters(gen *g)
     draw_problem(g, &c);
     const et_fit_options *o = &c.options;
     ok = parameters_refused(g, &c);
-    if (!gen_check(g, et_exact_fit_parameters(&f, c.data, c.nov, c.net, o->approach, o->method, &bits) == ET_OK, "made"))
+    if (!gen_check(g, fit_parameters(&f, c.data, c.nov, c.net, o->approach, o->method, &bits) == ET_OK, "made"))
         return FAIL;
     ok = by_stages(g, &c, &f, 0, bits) && near_fast(g, &c, &f) && ok;
     ok = gen_check(g, o->method != ET_PARAM_UNIFORM || bits == 0, "equal steps need no balls") && ok;
     for (size_t k = 0; k < 2; k++) {
         const size_t begin = k == 0 ? 4 * bits : 1 + gen_upto(g, 99);
         bits = begin;
-        if (!gen_check(g, et_exact_fit_parameters(&again, c.data, c.nov, c.net, o->approach, o->method, &bits) == ET_OK, "again"))
+        if (!gen_check(g, fit_parameters(&again, c.data, c.nov, c.net, o->approach, o->method, &bits) == ET_OK, "again"))
             return FAIL;
         ok = gen_check(g, same_parameters(&f, &again), "other bits, other parameters") && by_stages(g, &c, &again, begin, bits) && ok;
         et_fit_free(&again);
     }
-    if (!gen_check(g, et_exact_fit_parameters(&again, c.data, c.nov, c.net, o->approach, o->method, NULL) == ET_OK, "bits null"))
+    if (!gen_check(g, fit_parameters(&again, c.data, c.nov, c.net, o->approach, o->method, NULL) == ET_OK, "bits null"))
         return FAIL;
     ok = gen_check(g, same_parameters(&f, &again), "bits null, other parameters") && ok;
     et_fit_free(&again);
@@ -229,7 +256,7 @@ verdict prop_exact_fit_parameters_rational(gen *g)
         for (size_t i = 0; i < c.net.nx; i++)
             for (size_t j = 0; j < c.net.ny; j++)
                 c.data[class_at(&c, w, i, j)] = (et_vec3){(double)x[i], (double)y[j], 5};
-    if (!gen_check(g, et_exact_fit_parameters(&f, c.data, c.nov, c.net, c.options.approach, c.options.method, NULL) == ET_OK, "made"))
+    if (!gen_check(g, fit_parameters(&f, c.data, c.nov, c.net, c.options.approach, c.options.method, NULL) == ET_OK, "made"))
         return FAIL;
     fmpq_init(q);
     for (size_t w = 0; w < 2; w++) {
@@ -254,7 +281,7 @@ static et_status stages(et_fit *f, const problem *c, size_t *most, et_message *m
 {
     const et_fit_options *o = &c->options;
     size_t line = 0, point = 0;
-    et_status status = et_exact_fit_parameters(f, c->data, c->nov, c->net, o->approach, o->method, &line);
+    et_status status = fit_parameters(f, c->data, c->nov, c->net, o->approach, o->method, &line);
 
     if (status == ET_OK)
         status = et_shell_new(&f->shell, o->p, o->q, o->control, 0);
@@ -264,7 +291,7 @@ static et_status stages(et_fit *f, const problem *c, size_t *most, et_message *m
             status = et_exact_knotrule_make(f->shell.view[w].v, o->control.ny + o->q + 1, o->q, f->r[w], c->net.ny, o->knots);
     }
     if (status == ET_OK)
-        status = et_exact_fit_solve(f, c->data, c->nov, o, &point, NULL, message);
+        status = fit_solve(f, c->data, c->nov, o, &point, NULL, message);
     *most = line > point ? line : point;
     return status;
 }
@@ -282,7 +309,7 @@ verdict prop_exact_fit_make(gen *g)
     c.options.algebra = (et_linalg_method)gen_upto(g, 5); /* not used */
     memset(&f, 0x3c, sizeof f);
     const et_fit was = f;
-    const et_status status = et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, &bits, NULL, &message);
+    const et_status status = fit_make(&f, c.data, c.nov, c.net, &c.options, &bits, NULL, &message);
     gen_label(g, status == ET_OK ? et_fit_name(c.options.approach) : "deficient");
     ok = gen_check(g, status == expect && strcmp(message.text, other.text) == 0, "status %d, %s, should be %d, %s", (int)status, message.text,
                    (int)expect, other.text);
@@ -293,7 +320,7 @@ verdict prop_exact_fit_make(gen *g)
         ok = gen_check(g, bits == most, "%zu bits, the stages %zu", bits, most) && ok;
         ok = gen_check(g, et_shell_valid(&f.shell) && (c.options.approach == ET_FIT_CONVENTIONAL || et_shell_closed(&f.shell)), "shell") && ok;
         used = 4 * bits;
-        ok = gen_check(g, et_exact_fit_make(&again, c.data, c.nov, c.net, &c.options, &used, NULL, NULL) == ET_OK && used >= 4 * bits, "again") && ok;
+        ok = gen_check(g, fit_make(&again, c.data, c.nov, c.net, &c.options, &used, NULL, NULL) == ET_OK && used >= 4 * bits, "again") && ok;
         ok = gen_check(g, ok && same_parameters(&f, &again) && same_knots(&f, &again) && same_points(&f, &again), "four times the bits") && ok;
         if (ok)
             et_fit_free(&again);
@@ -310,11 +337,11 @@ static bool refused(gen *g, const problem *c, const et_fit_options *o, size_t no
     et_fit f;
     memset(&f, 0x3c, sizeof f);
     const et_fit was = f;
-    const et_status status = et_exact_fit_make(&f, c->data, nov, net, o, &bits, NULL, &message);
+    const et_status status = fit_make(&f, c->data, nov, net, o, &bits, NULL, &message);
 
     return gen_check(g, status == ET_EINVAL && memcmp(&f, &was, sizeof f) == 0 && bits == 3, "%s: status %d", word, (int)status) &&
            gen_check(g, strstr(message.text, word) != NULL, "message: %s (no \"%s\")", message.text, word) &&
-           gen_check(g, et_exact_fit_make(&f, c->data, nov, net, o, NULL, NULL, NULL) == ET_EINVAL, "without a message");
+           gen_check(g, fit_make(&f, c->data, nov, net, o, NULL, NULL, NULL) == ET_EINVAL, "without a message");
 }
 
 verdict prop_exact_fit_make_refuses(gen *g)
@@ -374,7 +401,7 @@ verdict prop_exact_fit_make_extremes(gen *g)
         const size_t along = across ? at % 5 : at / 2, side = across ? at / 5 : at % 2;
         c.data[at] = (et_vec3){along < 4 ? (double)along * 0x1p-1070 : 1, side ? 0x1p-1070 : 0, 0};
     }
-    status = et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, &message);
+    status = fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, &message);
     ok = gen_check(g, status == ET_EFORMAT && strstr(message.text, "knots") != NULL, "knots 2^-1070 apart: %s", message.text);
     for (size_t at = 0; at < 10; at++)
         c.data[at] = (et_vec3){(across ? at % 5 : at / 2) % 2 ? 0x1.fp1023 : -0x1.fp1023, 0, 0};
@@ -383,7 +410,7 @@ verdict prop_exact_fit_make_extremes(gen *g)
     c.options.control = c.net;
     c.options.p = across ? 1 : 3;
     c.options.q = across ? 3 : 1;
-    status = et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, &message);
+    status = fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, &message);
     ok = gen_check(g, status == ET_EFORMAT && strstr(message.text, "overflow") != NULL, "overflow: %s", message.text) && ok;
     return gen_check(g, memcmp(&f, &was, sizeof f) == 0, "the fit changed") && ok ? PASS : FAIL;
 }
@@ -404,7 +431,7 @@ static bool moved(gen *g, const problem *c, const et_fit *f, int k)
 
     for (size_t i = 0; i < c->nov; i++)
         d.data[i] = (et_vec3){ldexp(c->data[i].y, k), ldexp(c->data[i].z, k), -ldexp(c->data[i].x, k)};
-    if (!gen_check(g, et_exact_fit_make(&h, d.data, d.nov, d.net, &d.options, NULL, NULL, NULL) == ET_OK, "moved: not solved"))
+    if (!gen_check(g, fit_make(&h, d.data, d.nov, d.net, &d.options, NULL, NULL, NULL) == ET_OK, "moved: not solved"))
         return false;
     ok = gen_check(g, same_parameters(f, &h), "moved: other parameters");
     for (size_t w = 0; w < 2; w++)
@@ -433,7 +460,7 @@ static bool turned(gen *g, const problem *c, const et_fit *f)
         for (size_t i = 0; i < c->net.nx; i++)
             for (size_t j = 0; j < c->net.ny; j++)
                 d.data[class_at(&d, w, j, i)] = c->data[class_at(c, w, i, j)];
-    if (!gen_check(g, et_exact_fit_make(&h, d.data, d.nov, d.net, &d.options, NULL, NULL, NULL) == ET_OK, "turned: not solved"))
+    if (!gen_check(g, fit_make(&h, d.data, d.nov, d.net, &d.options, NULL, NULL, NULL) == ET_OK, "turned: not solved"))
         return false;
     for (size_t w = 0; w < 2; w++)
         for (size_t i = 0; i < kx; i++)
@@ -456,7 +483,7 @@ static bool flipped(gen *g, const problem *c, const et_fit *f)
         for (size_t i = 0; i < c->net.nx; i++)
             for (size_t j = 0; j < c->net.ny; j++)
                 d.data[class_at(&d, w, i, j)] = c->data[class_at(c, 1 - w, i, j)];
-    if (!gen_check(g, et_exact_fit_make(&h, d.data, d.nov, d.net, &d.options, NULL, NULL, NULL) == ET_OK, "flipped: not solved"))
+    if (!gen_check(g, fit_make(&h, d.data, d.nov, d.net, &d.options, NULL, NULL, NULL) == ET_OK, "flipped: not solved"))
         return false;
     ok = gen_check(g,
                    bits_equal(f->shell.view[0].points, h.shell.view[1].points, 3 * controls(f)) &&
@@ -473,7 +500,7 @@ verdict prop_exact_fit_make_symmetry(gen *g)
 
     draw_options(g, &c, 2, SIDE);
     draw_pillow(g, &c);
-    if (et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL) != ET_OK)
+    if (fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL) != ET_OK)
         return SKIP;
     const bool ok = moved(g, &c, &f, (int)gen_between(g, 1, 1500) - 750) && turned(g, &c, &f) && flipped(g, &c, &f);
     et_fit_free(&f);
@@ -505,7 +532,7 @@ verdict prop_exact_fit_make_planted(gen *g)
     c.options.method = ET_PARAM_UNIFORM;
     c.options.knots = ET_KNOTRULE_UNIFORM;
     memset(c.data, 0, sizeof c.data);
-    if (!gen_check(g, et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL) == ET_OK, "frame"))
+    if (!gen_check(g, fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL) == ET_OK, "frame"))
         return FAIL;
     const size_t nov = et_doublenet_nov(c.options.control);
     for (size_t i = 0; i < nov; i++)
@@ -518,7 +545,7 @@ verdict prop_exact_fit_make_planted(gen *g)
                 c.data[class_at(&c, w, i, j)] = S[i * c.net.ny + j];
     }
     et_fit_free(&f);
-    if (!gen_check(g, ok && et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL) == ET_OK, "fit"))
+    if (!gen_check(g, ok && fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL) == ET_OK, "fit"))
         return FAIL;
     for (size_t w = 0; w < 2; w++)
         for (size_t at = 0; at < controls(&f); at++) {
@@ -559,12 +586,12 @@ verdict prop_exact_fit_solve_ties(gen *g)
         const double i = (double)(across ? at % 9 : at / 2);
         c.data[at] = (et_vec3){tiny ? i * 0x1p-1074 : 1 + i * 0x1p-52, 0.5, 0};
     }
-    if (!gen_check(g, et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL) == ET_OK, "frame"))
+    if (!gen_check(g, fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL) == ET_OK, "frame"))
         return FAIL;
     for (size_t w = 0; w < 2; w++)
         for (size_t k = 0; k < inner; k++)
             (across ? f.shell.view[w].v : f.shell.view[w].u)[3 + k] = (double)knot[k] / 8;
-    ok = gen_check(g, et_exact_fit_solve(&f, c.data, c.nov, &c.options, &bits, NULL, NULL) == ET_OK, "solved");
+    ok = gen_check(g, fit_solve(&f, c.data, c.nov, &c.options, &bits, NULL, NULL) == ET_OK, "solved");
     bool tie = false;
     for (size_t w = 0; w < 2; w++)
         for (size_t k = 0; k < control; k++) {
@@ -600,7 +627,7 @@ verdict prop_exact_fit_make_degenerate(gen *g)
                 const bool border = i == 0 || j == 0 || i + 1 == c.net.nx || j + 1 == c.net.ny;
                 *D = point ? (et_vec3){0.1, y, -0.0} : (et_vec3){border ? -0.0 : w ? -B->x : B->x, y, B->z};
             }
-    const et_status status = et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL);
+    const et_status status = fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL);
     gen_label(g, status == ET_OK ? "solved" : "deficient");
     if (status != ET_OK)
         return gen_check(g, status == ET_ERANK, "status %d", (int)status) ? PASS : FAIL;
@@ -760,7 +787,7 @@ verdict prop_exact_fit_make_gradient(gen *g)
     draw_pillow(g, &c);
     if (c.options.approach == ET_FIT_IMPROVED)
         c.options.approach = ET_FIT_JOINT;
-    if (et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL) != ET_OK)
+    if (fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL) != ET_OK)
         return SKIP;
     gen_label(g, et_fit_name(c.options.approach));
     for (size_t e = 0; e < 3; e++)
@@ -833,7 +860,7 @@ verdict prop_exact_fit_solve_fast(gen *g)
     if (!gen_check(g, et_shell_copy(&h.shell, &f.shell) == ET_OK, "copy"))
         return FAIL;
     const double bound = spread(&c, &f);
-    const et_status status = et_exact_fit_solve(&h, c.data, c.nov, &c.options, NULL, NULL, NULL);
+    const et_status status = fit_solve(&h, c.data, c.nov, &c.options, NULL, NULL, NULL);
     gen_label(g, bound < 1e-6 ? "well conditioned" : bound < 1 ? "badly" : "hopeless");
     ok = gen_check(g, status == ET_OK || (status == ET_ERANK && bound > 1), "status %d", (int)status);
     for (size_t w = 0; ok && status == ET_OK && w < 2; w++)
@@ -859,11 +886,11 @@ static bool not_solved(gen *g, et_fit *f, const problem *c, size_t nov, const et
         memcpy(was[0], P, n * sizeof *P);
     if (Q != NULL)
         memcpy(was[1], Q, n * sizeof *Q);
-    const et_status status = et_exact_fit_solve(f, c->data, nov, o, &bits, NULL, &message);
+    const et_status status = fit_solve(f, c->data, nov, o, &bits, NULL, &message);
     return gen_check(g, status == ET_EINVAL && strstr(message.text, word) != NULL, "%s: status %d, %s", word, (int)status, message.text) &&
            gen_check(g, (P == NULL || memcmp(P, was[0], n * sizeof *P) == 0) && (Q == NULL || memcmp(Q, was[1], n * sizeof *Q) == 0) && bits == 5,
                      "changed") &&
-           gen_check(g, et_exact_fit_solve(f, c->data, nov, o, NULL, NULL, NULL) == ET_EINVAL, "without a message");
+           gen_check(g, fit_solve(f, c->data, nov, o, NULL, NULL, NULL) == ET_EINVAL, "without a message");
 }
 
 /* f, broken in the k-th way; null past the last. */
@@ -969,7 +996,7 @@ verdict prop_exact_fit_solve_refuses(gen *g)
     c.options.method = ET_PARAM_UNIFORM;
     c.options.knots = ET_KNOTRULE_UNIFORM;
     draw_pillow(g, &c);
-    if (!gen_check(g, et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL) == ET_OK, "frame"))
+    if (!gen_check(g, fit_make(&f, c.data, c.nov, c.net, &c.options, NULL, NULL, NULL) == ET_OK, "frame"))
         return FAIL;
     for (size_t k = 0; word != NULL; k++) {
         size_t nov = c.nov;
@@ -1018,7 +1045,7 @@ verdict prop_exact_fit_solve_stops(gen *g)
 
     draw_options(g, &c, 2, SIDE);
     draw_pillow(g, &c);
-    if (et_exact_fit_make(&f, c.data, c.nov, c.net, &c.options, &bits, &task, &message) != ET_OK)
+    if (fit_make(&f, c.data, c.nov, c.net, &c.options, &bits, &task, &message) != ET_OK)
         return SKIP;
     ok = gen_check(g, w.orderly && w.calls > 1 && strcmp(message.text, "untouched") == 0, "%zu calls", w.calls);
     for (size_t v = 0; v < 2; v++)
@@ -1029,12 +1056,12 @@ verdict prop_exact_fit_solve_stops(gen *g)
     memset(&h, 0x3c, sizeof h);
     const et_fit before = h;
     ok = gen_check(g,
-                   et_exact_fit_make(&h, c.data, c.nov, c.net, &c.options, &bits, &task, NULL) == w.with && memcmp(&h, &before, sizeof h) == 0 &&
+                   fit_make(&h, c.data, c.nov, c.net, &c.options, &bits, &task, NULL) == w.with && memcmp(&h, &before, sizeof h) == 0 &&
                        bits == 9,
                    "made though stopped") &&
          ok;
     w.calls = w.done = 0;
-    ok = gen_check(g, et_exact_fit_solve(&f, c.data, c.nov, &c.options, NULL, &task, &message) == w.with && w.calls == w.stop + 1, "not stopped") &&
+    ok = gen_check(g, fit_solve(&f, c.data, c.nov, &c.options, NULL, &task, &message) == w.with && w.calls == w.stop + 1, "not stopped") &&
          ok;
     for (size_t v = 0; v < 2; v++)
         ok = gen_check(g, bits_equal(was[v], f.shell.view[v].points, 3 * controls(&f)), "control points changed") && ok;
@@ -1075,7 +1102,7 @@ static et_status fit_of(const row *r, et_fit *f)
     o.p = row_size(r, 5);
     o.q = row_size(r, 6);
     o.control = (et_doublenet){row_size(r, 9), row_size(r, 10)};
-    status = et_exact_fit_make(f, data, nov, n, &o, NULL, NULL, NULL);
+    status = fit_make(f, data, nov, n, &o, NULL, NULL, NULL);
     free(data);
     return status;
 }
@@ -1119,7 +1146,7 @@ verdict true_fit_parameters(const row *r)
 
     if (data == NULL)
         return FAIL;
-    const et_status status = et_exact_fit_parameters(&f, data, nov, n, (et_fit_approach)row_size(r, 0), (et_param_method)row_size(r, 1), NULL);
+    const et_status status = fit_parameters(&f, data, nov, n, (et_fit_approach)row_size(r, 0), (et_param_method)row_size(r, 1), NULL);
     free(data);
     if (status != ET_OK)
         return FAIL;
