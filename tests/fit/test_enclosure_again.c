@@ -515,6 +515,7 @@ static et_status at_once(answer *x, const enclosure_job *k, size_t w)
     et_dd d[NODES], p[NODES];
     double error[NODES], r[NODES];
     const et_doublenet n = k->data, f = k->control;
+    bool finite = true;
 
     both_directions(&U, &V, k, w & 1, false);
     for (size_t at = 0; at < f.nx * f.ny; at++)
@@ -540,8 +541,11 @@ static et_status at_once(answer *x, const enclosure_job *k, size_t w)
             const bool stands = number[at] == LEFT_OUT;
             x->x[w & 1][3 * at + c] = stands ? whole(corner_datum(k, at / f.ny, at % f.ny, c)) : p[number[at]];
             x->radius[w & 1][3 * at + c] = stands ? k->lost[c] : r[number[at]];
+            finite = finite && isfinite(x->radius[w & 1][3 * at + c]) && isfinite(x->x[w & 1][3 * at + c].hi);
         }
     }
+    if (!finite)
+        return unbounded(x, w, S.norm, S.inverse);
     norms_of(x, S.norm, S.inverse);
     return ET_OK;
 }
@@ -957,17 +961,17 @@ static void draw_frame(gen *g, problem *c)
     }
 }
 
-/* Data of a job: between -1 and 1, or next to nothing; what scaling lost may be much, to be seen. */
+/* Data of a job: between -1 and 1, next to nothing, or past what sums can hold; what scaling lost may be much, to be seen. */
 static void draw_job(gen *g, problem *c)
 {
     static const double losses[] = { 0, 0, 0, 0x1p-1000, 0x1p-999, 0x1p-90, 0x1p-20 };
-    static const int scales[] = { 0, 0, 0, 0, 0, -2000, -170, -538 };
+    static const int scales[] = { 0, 0, 0, 0, 0, 0, 0, -2000, -2000, -170, -538, 1023 };
     enclosure_job *k = &c->job;
 
     *k = (enclosure_job){ .fit = &c->fit, .options = &c->options, .message = &c->message, .data = c->fit.data, .control = c->options.control,
                           .fixed = c->options.corners != ET_CORNERS_FREE, .D = { c->D[0], c->D[1] } };
     for (size_t e = 0; e < 3; e++) {
-        const int scale = scales[gen_upto(g, 7)];
+        const int scale = scales[gen_upto(g, 11)];
         const bool like = gen_chance(g, 3);
         k->lost[e] = losses[gen_upto(g, 6)];
         k->exponent[e] = (int)gen_upto(g, 20) - 10;
