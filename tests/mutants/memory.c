@@ -7,17 +7,21 @@ int et_memory_fails(size_t k);
 
 size_t et_memory_cases(const char *folder)
 {
-    if (folder)
-        json_set_alloc_funcs(__wrap_malloc, __wrap_free);
-    return folder && make_all(folder) ? CALLS : 0;
+    if (!folder || !make_all(folder) || !make_files(folder))
+        return 0;
+    learn();
+    return CALLS;
 }
 
+/* Memory, sizes and LAPACK in turn. */
 int et_memory_fails(size_t k)
 {
     const char *why = NULL;
-    int end = 0;
 
-    for (size_t at = 1; !why && !end; at++)
-        why = run(k, at, &end);
+    for (way = MEMORY; !why && way < WAYS; way++) {
+        int end = way != MEMORY && !sized(calls[k].name);
+        for (size_t at = 1; !why && !end; at++)
+            why = run(k, at, &end);
+    }
     return why != NULL;
 }

@@ -127,7 +127,8 @@ NO_MEMORY = '''#include <stddef.h>
 size_t et_memory_cases(const char *folder) { return 0; }
 int et_memory_fails(size_t k) { return 0; }
 '''
-WRAP = ['-Wl,' + ','.join('--wrap=' + f for f in ('malloc', 'calloc', 'realloc', 'posix_memalign', 'free'))]
+WRAP = ['-Wl,' + ','.join('--wrap=' + f for f in ('malloc calloc realloc posix_memalign free _Znwm et_size_mul linalg_fits '
+                          + ' '.join('LAPACKE_' + f for f in 'dgeqp3 dpotrf dpocon dpotrs dgelsd_work dpbtrf dpbcon dtbcon'.split())).split())]
 SANITIZE = ['-fsanitize=address,undefined', '-fno-sanitize=vptr,alignment,float-cast-overflow,float-divide-by-zero', '-fno-sanitize-recover=undefined']
 
 
