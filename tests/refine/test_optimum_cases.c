@@ -12,7 +12,7 @@ static int compare(const void *a, const void *b)
 
 void optimum_case_knots(gen *g, double *u, size_t n, size_t p)
 {
-    const size_t kind = gen_upto(g, 3);
+    const size_t kind = gen_upto(g, 5);
 
     gen_knots(g, u, n + p + 1, p);
     if (kind == 1)                        /* not clamped */
@@ -21,6 +21,12 @@ void optimum_case_knots(gen *g, double *u, size_t n, size_t p)
     if (kind == 2 && n > p + 1)           /* spans so small that powers of them are no doubles */
         for (size_t k = p + 1; k < n; k++)
             u[k] = ldexp(1, -150 * (int)(n - k));
+    if (kind == 3)                        /* the same from the other end */
+        for (size_t k = 0; k < n + p + 1; k++)
+            u[k] = k <= p ? -1 : k >= n ? 0 : -ldexp(1, -150 * (int)(k - p));
+    if (kind == 4 && n > 2 * p)           /* the domain ends at full multiplicity, and knots follow */
+        for (size_t k = n - p; k < n + p + 1; k++)
+            u[k] = k <= n ? 1 : (double)(k - n + 1);
 }
 
 void optimum_case_parameters(gen *g, double *t, size_t nt, const double *u, size_t n, size_t p, size_t kind)
