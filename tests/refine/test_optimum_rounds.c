@@ -169,9 +169,11 @@ static void draw_data(gen *g, optimum_case *c)
     for (size_t k = 0; k < c->n && kind >= 5; k++)
         c->start[k].y += ldexp(gen_real(g, -1, 1), (int)gen_upto(g, 50));
     if (kind == 4) {                      /* one coordinate near the greatest double */
+        const size_t end = gen_upto(g, 2);
+
         memset(c->data, 0, sizeof c->data);
         memset(c->start, 0, sizeof c->start);
-        c->data[gen_upto(g, c->nov - 1)].y = gen_chance(g, 2) ? 0x1.8p+1022 : 0x1.8p+1023;
+        (&c->data[0].x)[end == 0 ? 0 : end == 1 ? 3 * c->nov - 1 : gen_upto(g, 3 * c->nov - 1)] = gen_chance(g, 2) ? 0x1.8p+1022 : 0x1.8p+1023;
     }
     et_shell_scatter(&c->fit.shell, c->start, c->n);
 }
@@ -194,7 +196,7 @@ static const char unproved[] = "no lower bound but 0 is proved: the control poin
 verdict prop_optimum_find_rounds(gen *g)
 {
     static expected e;
-    const et_optimum_options o = {gen_chance(g, 3) ? gen_upto(g, 12) : 100, gen_chance(g, 4) ? 0x1p-10 : 1e-12};
+    const et_optimum_options o = {gen_chance(g, 3) ? gen_chance(g, 2) ? 0 : gen_upto(g, 12) : 100, gen_chance(g, 4) ? 0x1p-10 : 1e-12};
     stopper first = {0, gen_chance(g, 6) ? gen_upto(g, 8) : 0}, second = first;
     const et_task one = {stop_step, &first}, two = {stop_step, &second};
     const size_t room = gen_upto(g, HISTORY);
@@ -300,6 +302,11 @@ verdict prop_optimum_find_refuses_each(gen *g)
     ok = ok && refused(&k, no_fit);
     k.c.fit.data = data;
     k.c.data[k.c.nov - 1].x = INFINITY;
+    k.c.nov--;                            /* what is said first */
+    k.c.data[0].y = NAN;
+    ok = ok && refused(&k, no_fit);
+    k.c.data[0].y = 0;
+    k.c.nov++;
     ok = ok && refused(&k, "optimum: the data are not finite");
     k.c.data[k.c.nov - 1].x = 0;
     ok = ok && gen_check(g, et_optimum_find(&k.c.fit, &k.r, NULL, NULL, 0, k.c.data, k.c.nov, &o, NULL, &message) == ET_EINVAL &&
