@@ -134,7 +134,7 @@ static bool precise(gen *g, const double *t, size_t n, const et_vec3 *D, size_t 
 
     for (size_t k = 0; k < 3; k++) {
         const size_t asked = start[k];
-        live_begin(n + k);
+        live_begin(n + k + used / 128);
         const et_status status = et_exact_param_row(s, n, &flat, D, stride, method, start + k);
         if (!gen_check(g, live_end(), "memory is kept") || !gen_check(g, status == ET_OK && same(s, t, n), "from %zu bits on", asked) ||
             !gen_check(g, doubled(start[k], asked), "%zu bits from %zu on", start[k], asked) ||
