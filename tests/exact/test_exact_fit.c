@@ -439,7 +439,7 @@ static bool agrees(gen *g, problem *c, const judgement *is, size_t *bits, const 
     const size_t before = bits == NULL ? 0 : *bits;
     bool ok;
 
-    live_begin(c->nov % 2 == 0);
+    live_begin(c->nov / 2 + c->fit.shell.view[0].p + before);
     const et_status status = et_exact_fit_solve(&c->fit, c->data, c->nov, &c->options, bits, NULL, &message);
     if (!gen_check(g, live_end(), "%s: memory is kept", what))
         return false;
@@ -534,7 +534,7 @@ verdict prop_exact_fit_solve_rank(gen *g)
     for (size_t i = 0; rank > 0 && i < m; i++)
         fmpz_mul_ui(fmpq_mat_entry_num(L, (slong)i, (slong)rank - 1), fmpq_mat_entry_num(L, (slong)i, (slong)rank - 1), factor);
     fmpq_mat_mul(A, L, R);
-    live_begin(m % 2 == 0);
+    live_begin(m + n);
     found = exact_rank(A);
     const bool kept = !live_end();
     fmpq_mat_clear(L);

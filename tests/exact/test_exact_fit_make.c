@@ -16,7 +16,7 @@ enum { SIDE = 6, LARGE = 12, NODES = SIDE * SIDE, CLASSES = 2 * LARGE * LARGE };
 static et_status fit_make(et_fit *f, const et_vec3 *data, size_t nov, et_doublenet n, const et_fit_options *o, size_t *bits, const et_task *task,
                           et_message *message)
 {
-    live_begin(nov % 2 == 0);
+    live_begin(nov / 2 + o->p + o->control.nx);
     const et_status status = et_exact_fit_make(f, data, nov, n, o, bits, task, message);
     return live_end() ? status : ET_EINTERNAL;
 }
@@ -24,7 +24,7 @@ static et_status fit_make(et_fit *f, const et_vec3 *data, size_t nov, et_doublen
 static et_status fit_parameters(et_fit *f, const et_vec3 *data, size_t nov, et_doublenet n, et_fit_approach approach, et_param_method method,
                                 size_t *bits)
 {
-    live_begin(nov % 2 == 0);
+    live_begin(nov / 2 + (size_t)method);
     const et_status status = et_exact_fit_parameters(f, data, nov, n, approach, method, bits);
     return live_end() ? status : ET_EINTERNAL;
 }
@@ -32,7 +32,7 @@ static et_status fit_parameters(et_fit *f, const et_vec3 *data, size_t nov, et_d
 static et_status fit_solve(et_fit *f, const et_vec3 *data, size_t nov, const et_fit_options *o, size_t *bits, const et_task *task,
                            et_message *message)
 {
-    live_begin(nov % 2 == 0);
+    live_begin(nov / 2 + o->p + o->control.nx);
     const et_status status = et_exact_fit_solve(f, data, nov, o, bits, task, message);
     return live_end() ? status : ET_EINTERNAL;
 }

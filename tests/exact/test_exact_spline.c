@@ -6,6 +6,7 @@
 #include "etalon/spline/basis.h"
 #include "etalon/spline/knots.h"
 #include "exact/exact_parts.h"
+#include "exact/live.h"
 #include "exact/rational.h"
 #include "exact/written.h"
 #include "golden.h"
@@ -157,7 +158,10 @@ verdict prop_exact_basis_ders(gen *g)
     D[0] = D[(d + 1) * w] = 4711.0;
     bool ok = gen_check(g, et_exact_basis_ders(D, SIZE_MAX, b.u, b.nu, b.p, b.span, b.x) == ET_ENOMEM && D[0] == 4711.0, "an order beyond all sizes");
     ok = ok && gen_check(g, et_exact_basis_ders(D, SIZE_MAX / w, b.u, b.nu, b.p, b.span, b.x) == ET_ENOMEM && D[0] == 4711.0, "a size beyond all");
-    ok = ok && gen_check(g, et_exact_basis_ders(D, d, b.u, b.nu, b.p, b.span, b.x) == ET_OK && D[(d + 1) * w] == 4711.0, "status, or wrote beyond");
+    live_begin(d + b.p + b.nu);
+    et_status status = et_exact_basis_ders(D, d, b.u, b.nu, b.p, b.span, b.x);
+    ok = gen_check(g, live_end(), "memory is kept") && ok;
+    ok = ok && gen_check(g, status == ET_OK && D[(d + 1) * w] == 4711.0, "status, or wrote beyond");
     et_exact_basis_eval(N, b.u, b.nu, b.p, b.span, b.x);
     ok = ok && gen_check(g, memcmp(N, D, w * sizeof *N) == 0, "row 0 is not that of eval");
     et_basis_ders(F, d, b.u, b.nu, b.p, b.span, b.x, work, et_basis_work(b.p, 1));
@@ -498,7 +502,7 @@ static bool moderate(const et_vec3 *D, size_t n)
 verdict prop_exact_curve_ders(gen *g)
 {
     et_curve c;
-    et_vec3 D[ORDER + 2], F[ORDER + 1];
+    et_vec3 P[ORDER + 2], D[ORDER + 2], F[ORDER + 1];
     if (!draw_curve(g, &c, DEGREE)) {
         return SKIP;
     }
@@ -512,7 +516,10 @@ verdict prop_exact_curve_ders(gen *g)
     bool ok = gen_check(g, et_exact_curve_ders(D, d, &c, NAN) == ET_EINVAL && same_point(D[0], D[d + 1]), "a parameter that is not finite");
     ok = ok && gen_check(g, et_exact_curve_ders(D, SIZE_MAX, &c, x) == ET_ENOMEM && et_exact_curve_ders(D, SIZE_MAX / 8, &c, x) == ET_ENOMEM &&
                                 same_point(D[0], D[d + 1]), "an order beyond all sizes");
-    ok = ok && gen_check(g, et_exact_curve_ders(D, d, &c, x) == ET_OK && same_point(D[d + 1], (et_vec3){1.0, 2.0, 3.0}), "status, or wrote beyond");
+    live_begin(d + c.n);
+    et_status status = et_exact_curve_ders(D, d, &c, x);
+    ok = gen_check(g, live_end(), "memory is kept") && ok;
+    ok = ok && gen_check(g, status == ET_OK && same_point(D[d + 1], (et_vec3){1.0, 2.0, 3.0}), "status, or wrote beyond");
     curve_taylor(T, d, &c, x);
     for (size_t k = 0; ok && k <= d; k++) {
         factorial(f, k);
@@ -527,6 +534,13 @@ verdict prop_exact_curve_ders(gen *g)
     et_curve_ders(F, d, &c, x, work, n);
     /* Where spans are so short that derivatives come near overflow there is no bound. */
     ok = ok && (!moderate(D, d + 1) || !moderate(F, d + 1) || ders_within(g, &c, F, T, d, x));
+    for (size_t i = 0; i < c.n; i++) {                      /* in a plane the others are the same */
+        c.points[i].z = 0.0;
+    }
+    ok = ok && gen_check(g, et_exact_curve_ders(P, d, &c, x) == ET_OK, "no derivatives in a plane");
+    for (size_t k = 0; ok && k <= d; k++) {
+        ok = gen_check(g, same_point(P[k], (et_vec3){D[k].x, D[k].y, 0.0}), "in a plane derivative %zu is (%a, %a, %a)", k, P[k].x, P[k].y, P[k].z);
+    }
     c.u[0] = NAN;
     D[0] = D[d + 1];
     ok = ok && gen_check(g, et_exact_curve_ders(D, d, &c, x) == ET_EINVAL && same_point(D[0], D[d + 1]), "a curve that is not valid");
