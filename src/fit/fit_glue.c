@@ -204,6 +204,8 @@ static et_status solve_interior(const fit_glued *g, const reduction *r, size_t w
 
     if (status == ET_OK)
         status = solve_triangle(X, r->Ru, ci, cx, B, cj, g->where, "u", message);
+    else
+        et_status_fail(message, status, "%s: %s", g->where, et_status_text(status));
     if (status == ET_OK) {
         fit_transpose(B, X, ci, cj);
         status = solve_triangle(X, r->Rv, cj, cy, B, ci, g->where, "v", message);

@@ -76,6 +76,8 @@ et_status fit_solve_view(et_vec3 *P, const fit_collocation *U, const fit_colloca
 
     if (X != NULL && T != NULL && Y != NULL)
         status = solve_direction(X, U, D, V->m, where, "u", method, message);
+    else
+        et_status_fail(message, status, "%s: %s", where, et_status_text(status));
     if (status == ET_OK) {
         fit_transpose(T, X, U->n, V->m);
         status = solve_direction(Y, V, T, U->n, where, "v", method, message);
