@@ -150,12 +150,6 @@ void judge_name(char name[96], const et_request *request, const double *want, si
     case ET_OP_SURFACE_INSERT: case ET_OP_SURFACE_ELEVATE:
         name_shape(name, 96, want, at, 1);
         break;
-    case ET_OP_CURVE_REMOVE: case ET_OP_SURFACE_REMOVE:
-        if (at == 0)
-            snprintf(name, 96, "t");
-        else
-            name_shape(name, 96, want + 1, at - 1, request->op == ET_OP_SURFACE_REMOVE);
-        break;
     default:
         name_list(name, 96, request, at);
     }

@@ -195,7 +195,7 @@ static et_asked crash(const et_peer *peer, et_message *text)
 {
     siginfo_t info;
 
-    if (!ends(peer, &info, 0.2))
+    if (!ends(peer, &info, 0.5))
         et_status_fail(text, ET_OK, "it closed its input or its output instead of replying");
     else if (info.si_code == CLD_EXITED && info.si_status > 128 && info.si_status < 160)
         et_status_fail(text, ET_OK, "it ended with exit code %d, which is signal %d (%s)", info.si_status, info.si_status - 128,

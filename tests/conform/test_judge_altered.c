@@ -1,5 +1,6 @@
 /* conform/judge: right answers of every operation with one number altered, dropped or added. */
 #include "conform/judge_kit.h"
+#include <stdio.h>
 
 verdict prop_judge_reply_altered(gen *g);
 verdict prop_judge_validity_numbers(gen *g);
@@ -88,9 +89,28 @@ verdict prop_judge_validity_numbers(gen *g)
         { "approximate 1 1 2 2 2 2 4 0 0 0 0 1 0 1 0 0 1 1 1", 0, 65, ET_INVALID },
         { "basis_ders 1 4 0 0 1 1 0x1p-1 any 1", 4, 65, ET_IMPLEMENTATION_DEFINED },
     };
+    static const struct { const char *line; et_validity is; } large[] = {
+        { "knots uniform 65 66 2 0x0p+0 0x1p+0", ET_IMPLEMENTATION_DEFINED }, { "net_node 9007199254740992 9007199254740992 1", ET_IMPLEMENTATION_DEFINED },
+        { "net_node 9007199254740992 9007199254740992 0", ET_INVALID }, { "net_counts 9007199254740992 9007199254740992", ET_IMPLEMENTATION_DEFINED },
+        { "approximate 65 1 66 2 66 2 132" , ET_IMPLEMENTATION_DEFINED }, { "approximate 1 65 2 66 2 66 132" , ET_IMPLEMENTATION_DEFINED },
+    };
+    et_request none;
     char reason[128];
     bool ok = true;
 
+    memset(&none, 0, sizeof none);
+    none.op = ET_OPS;
+    ok = gen_check(g, et_judge_validity(reason, &none) == ET_INVALID && reason[0], "no operation");
+    for (size_t k = 0; ok && k < sizeof large / sizeof *large; k++) {
+        char line[1200];
+        size_t n = (size_t)snprintf(line, sizeof line, "%s", large[k].line);
+        for (size_t i = 0; strncmp(line, "approximate", 11) == 0 && i < 3 * 132; i++)
+            n += (size_t)snprintf(line + n, sizeof line - n, " %zu", i % 10);
+        et_request q = kit_parse(line);
+        const et_validity v = et_judge_validity(reason, &q);
+        ok = gen_check(g, v == large[k].is && reason[0], "%s: %d, %s", large[k].line, (int)v, reason);
+        et_request_free(&q);
+    }
     for (size_t k = 0; ok && k < sizeof all / sizeof *all; k++) {
         et_request q = kit_parse(all[k].line);
         ok = gen_check(g, et_judge_validity(reason, &q) == ET_VALID, "%s: %s", all[k].line, reason);
