@@ -147,13 +147,14 @@ static double unit_of(et_vec3 a)
 }
 
 /* |a x b|, as if the product were exact. */
-static double cross_length(et_vec3 a, et_vec3 b)
+static double cross_length(double *sine, et_vec3 a, et_vec3 b)
 {
     const double s = unit_of(a), t = unit_of(b);
     const et_vec3 A = { s * a.x, s * a.y, s * a.z }, B = { t * b.x, t * b.y, t * b.z };
     const double cross[3] = { difference(A.y, B.z, A.z, B.y), difference(A.z, B.x, A.x, B.z), difference(A.x, B.y, A.y, B.x) };
 
-    return judge_length(cross) / s / t;
+    *sine = judge_length(cross);
+    return *sine / s / t;
 }
 
 static void put_normal(judge_list *list, const et_vec3 *n, const et_vec3 D[3], const double B[9], double K)
@@ -169,8 +170,10 @@ static void put_normal(judge_list *list, const et_vec3 *n, const et_vec3 D[3], c
         sum += e[c];
         along += judge_times(fabs(judge_coordinate(n, c)), e[c]);
     }
-    const double l = cross_length(D[1], D[2]);
-    if (!(l > 0x1p10 * sum))
+    double sine;
+    const double l = cross_length(&sine, D[1], D[2]);
+    /* Brought into the range of doubles by their greatest coordinates, the two lose what distinguishes them. */
+    if (!(l > 0x1p10 * sum) || sine <= 0x1p-900)
         list->doubt = "the normal can hardly be told from none";
     for (size_t c = 0; c < 3; c++) {
         const double x = judge_coordinate(n, c);
