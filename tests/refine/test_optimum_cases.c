@@ -31,7 +31,7 @@ void optimum_case_knots(gen *g, double *u, size_t n, size_t p)
 
 void optimum_case_parameters(gen *g, double *t, size_t nt, const double *u, size_t n, size_t p, size_t kind)
 {
-    const double a = u[p], b = u[n];
+    const double a = u[p], b = u[n], from = kind == 2 && gen_chance(g, 4) ? u[gen_between(g, p, n - 1)] : b;
 
     for (size_t i = 0; i < nt; i++)
         t[i] = kind == 0 ? a + (b - a) * ((double)i / (double)(nt - 1))
@@ -39,6 +39,8 @@ void optimum_case_parameters(gen *g, double *t, size_t nt, const double *u, size
              : gen_chance(g, 6) ? a + (b - a) * gen_real(g, -0.25, 1.25)
              : gen_chance(g, 4) ? u[gen_upto(g, n + p)] / 2
                                 : gen_parameter(g, u, n + p + 1, p);
+    for (size_t i = 0; i < nt && from < b; i++)     /* all behind one knot */
+        t[i] = from + (b - from) * ((double)(i + 1) / (double)(nt + 1));
     qsort(t, nt, sizeof *t, compare);
     if (kind < 2) {
         t[0] = a;

@@ -93,7 +93,7 @@ static bool rounds(expected *e, optimum_case *c, const optimum_model *m, optimum
         else
             et_shell_scatter(&c->fit.shell, c->start, c->n);
         e->rounds++;
-    } while (e->rounds < 4 && s->status == ET_OK && s->iterations < s->limit && e->result.value * 0x1p+16 < before);
+    } while (e->rounds < 4 && s->status == ET_OK && s->iterations < s->limit && ldexp(before, -16) > e->result.value);
     memcpy(y, s->y, 3 * nov * sizeof *y);
     if (optimum_ball_bound(&e->result.lower, &e->proved, s->y, m, c->data) != ET_OK || optimum_ball_polish(y, m, s->weight) != ET_OK ||
         optimum_ball_bound(&polished, &e->proved, y, m, c->data) != ET_OK)

@@ -277,7 +277,7 @@ verdict prop_optimum_find_solve(gen *g)
     static expected e;
     const bool blocks = gen_chance(g, 2);
     const size_t odd = gen_chance(g, 4) ? gen_between(g, 1, 2) : 0;
-    const double tolerance = ldexp(1, -(int)gen_between(g, 12, 50));
+    const double tolerance = ldexp(1, -(int)gen_between(g, 12, 50)), size = ldexp(1, -20 * (int)gen_upto(g, 3));
     double weight[6 * OPTIMUM_CLASSES], b[3 * NODES];
     optimum_case c;
     optimum_model m;
@@ -293,7 +293,7 @@ verdict prop_optimum_find_solve(gen *g)
     e.weight = weight;
     draw_weights(g, weight, c.nov, blocks, odd);
     for (size_t k = 0; k < 3 * m.m; k++)
-        b[k] = gen_real(g, -1, 1);
+        b[k] = gen_real(g, -size, size);
     ok = optimum_solve_new(&s, &m, blocks) == ET_OK && optimum_band_new(&e.band, (blocks ? 3 : 1) * m.m, blocks ? 3 * m.half + 2 : m.half) == ET_OK;
     s.ridge = 1;                          /* of another matrix */
     optimum_solve_factor(&s, weight);
@@ -303,7 +303,7 @@ verdict prop_optimum_find_solve(gen *g)
 
         ok = gen_check(g, optimum_solve_run(&s, b, tolerance) == want, "%s", want ? "not solved" : "solved") && same_solution(g, &s, &e);
         gen_label(g, !want ? "not solved" : e.ridge > 0 ? "ridge" : "solved");
-        b[0] = 1;
+        b[0] = size;
         if (k == 1)
             memset(b, 0, sizeof b);
     }
