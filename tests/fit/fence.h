@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 enum { FENCE_BYTES = 1 << 18 };
-typedef struct { unsigned char *end; } fence;
+typedef struct {
+    unsigned char *end;
+} fence;
 
 /* Room for n doubles; null where there is no such memory.  Later arrays of the same fence overlap the earlier ones. */
 static inline double *fence_doubles(fence *f, size_t n)

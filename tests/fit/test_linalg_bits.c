@@ -183,7 +183,8 @@ static void draw(gen *g, system_ *s, fence *f)
 static bool same(gen *g, const char *what, const double *got, const double *want, size_t row, size_t k)
 {
     for (size_t x = 0; x < k; x++)
-        if (!gen_check(g, got[x] == want[x] || (isnan(got[x]) && isnan(want[x])), "%s(%zu, %zu) = %a, a second time %a", what, row, x, got[x], want[x]))
+        if (!gen_check(g, got[x] == want[x] || (isnan(got[x]) && isnan(want[x])), "%s(%zu, %zu) = %a, a second time %a", what, row, x, got[x],
+                       want[x]))
             return false;
     return true;
 }
@@ -243,7 +244,8 @@ verdict prop_linalg_qr_bits(gen *g)
 /* ---- what is singular --------------------------------------------------------------------------------------------------------- */
 
 /* A = (a b; 0 d) over rows of zeros, the columns in either order: A'A and its Cholesky factor are exact, since b and a are powers of two (or 0) and
- * d a multiple of 2^-26, and so are both norms, in the estimate too: 2 x 2.  A dense matrix' norm is taken as it is, of a band twice the half rows. */
+ * d a multiple of 2^-26, and so are both norms, in the estimate too: 2 x 2.  A dense matrix' norm is taken as it is, of a band twice the half rows.
+ */
 static bool judged_singular(double a, double b, double d, size_t m, bool banded)
 {
     const double aa = a * a, ab = fabs(a * b), bb = b * b + d * d, inverse = fmax(aa + ab, bb + ab) / (aa * d * d);
@@ -278,8 +280,8 @@ verdict prop_linalg_band_lsq_singular(gen *g)
         const bool singular = judged_singular(a, b, d, m, banded);
         gen_label(g, singular ? "singular" : "regular");
         /* Of A itself the second column is far from dependent. */
-        if (!gen_check(g, status == (singular ? ET_ERANK : ET_OK) && rank == (singular ? 1 : 2), "banded %d, a %g b %g d %g m %zu: status %d, rank %zu", banded,
-                       a, b, d, m, (int)status, rank))
+        if (!gen_check(g, status == (singular ? ET_ERANK : ET_OK) && rank == (singular ? 1 : 2),
+                       "banded %d, a %g b %g d %g m %zu: status %d, rank %zu", banded, a, b, d, m, (int)status, rank))
             return FAIL;
     }
     return PASS;
@@ -313,8 +315,8 @@ verdict prop_linalg_lsq_singular(gen *g)
     rank = 9;
     status = et_linalg_band_lsq(X, &rank, a, start, m, n, 1, B, 1, method);
     const bool banded = method == ET_LINALG_QR ? singular : !(c / 2 > (double)m * ET_EPS);
-    return gen_check(g, status == (banded ? ET_ERANK : ET_OK) && rank == (banded ? n - 1 : n), "band: method %d, c %a, m %zu: status %d, rank %zu", (int)method,
-                     c, m, (int)status, rank)
+    return gen_check(g, status == (banded ? ET_ERANK : ET_OK) && rank == (banded ? n - 1 : n), "band: method %d, c %a, m %zu: status %d, rank %zu",
+                     (int)method, c, m, (int)status, rank)
                ? PASS
                : FAIL;
 }
@@ -332,8 +334,9 @@ verdict prop_linalg_lsq_rank(gen *g)
     A[n + 1] = d * scale;
     const et_status status = et_linalg_lsq(X, &rank, A, m, n, B, 1, ET_LINALG_QR);
     const size_t want = factor > (double)(m > n ? m : n) ? 2 : 1;
-    return gen_check(g, status == ET_ERANK && rank == want, "%zu x %zu, %g eps: status %d, rank %zu, not %zu", m, n, factor, (int)status, rank, want) ? PASS
-                                                                                                                                                     : FAIL;
+    return gen_check(g, status == ET_ERANK && rank == want, "%zu x %zu, %g eps: status %d, rank %zu, not %zu", m, n, factor, (int)status, rank, want)
+               ? PASS
+               : FAIL;
 }
 
 /* ---- what is too large -------------------------------------------------------------------------------------------------------- */
@@ -372,14 +375,18 @@ verdict prop_linalg_band_lsq_large(gen *g)
     for (size_t i = 0; i < SIDE; i++)
         start[i] = i;
     /* Dense it has 2^32 entries. */
-    ok = gen_check(g, et_linalg_band_lsq(X, &rank, a, start, SIDE, SIDE, 1, a, 1, ET_LINALG_SVD) == ET_ENOMEM && X[0] == 3 && rank == 7, "a dense band") && ok;
-    ok = gen_check(g, et_linalg_band_lsq(X, &rank, a, start, SIDE, SIDE, 1, a, 1, ET_LINALG_QR) == ET_ENOMEM && X[0] == 3 && rank == 7, "its rank") && ok;
+    ok = gen_check(g, et_linalg_band_lsq(X, &rank, a, start, SIDE, SIDE, 1, a, 1, ET_LINALG_SVD) == ET_ENOMEM && X[0] == 3 && rank == 7,
+                   "a dense band") &&
+         ok;
+    ok = gen_check(g, et_linalg_band_lsq(X, &rank, a, start, SIDE, SIDE, 1, a, 1, ET_LINALG_QR) == ET_ENOMEM && X[0] == 3 && rank == 7, "its rank") &&
+         ok;
     ok = gen_check(g, linalg_deficient(&rank, a, SIDE, SIDE) == ET_ENOMEM && rank == 7, "the rank of a matrix") && ok;
     ok = gen_check(g, linalg_lsq_svd(X, &rank, a, SIDE, SIDE, a, 1) == ET_ENOMEM && X[0] == 3 && rank == 7, "least norm") && ok;
     ok = gen_check(g, linalg_lsq_cholesky(X, &rank, a, 1, SIDE, a, 1) == ET_ENOMEM && X[0] == 3 && rank == 7, "normal equations") && ok;
     ok = gen_check(g, linalg_lsq_cholesky(X, &rank, a, 1, 1, a, wraps) == ET_ENOMEM && X[0] == 3 && rank == 7, "their right-hand sides") && ok;
     ok = gen_check(g, et_linalg_qr(X, X, a, SIDE, 1, a, SIDE) == ET_ENOMEM && X[0] == 3, "right-hand sides") && ok;
     ok = gen_check(g, et_linalg_qr(X, X, a, SIDE, SIDE, a, 1) == ET_ENOMEM && X[0] == 3, "a square") && ok;
-    return gen_check(g, et_linalg_lsq(X, &rank, a, SIDE, 1, a, SIDE, ET_LINALG_QR) == ET_ENOMEM && X[0] == 3 && rank == 7, "a wide solution") && ok ? PASS
-                                                                                                                                                  : FAIL;
+    return gen_check(g, et_linalg_lsq(X, &rank, a, SIDE, 1, a, SIDE, ET_LINALG_QR) == ET_ENOMEM && X[0] == 3 && rank == 7, "a wide solution") && ok
+               ? PASS
+               : FAIL;
 }
