@@ -280,8 +280,8 @@ verdict prop_exact_curve_nearest_polygon(gen *g)
         }
     }
     et_vec3 P = {(double)gen_upto(g, 96), (double)gen_upto(g, 96), (double)gen_upto(g, 24)};
-    double *fine = (size_t)gen_upto(g, 2) + &P.x;           /* one coordinate may have more digits than all others */
-    *fine += gen_upto(g, 1) ? ldexp(1.0, -(int)gen_between(g, 1, 40)) : 0.0;
+    double *fine = (size_t)gen_upto(g, 2) + &P.x;           /* one coordinate's digits may be below all others */
+    *fine = gen_upto(g, 1) ? ldexp((double)gen_upto(g, 99), -(int)gen_between(g, 1, 80)) : *fine;
     P = gen_chance(g, 4) ? V[0] : P;
     fmpq_t q, least;
     fmpq_init(q);
