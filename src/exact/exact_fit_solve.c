@@ -271,7 +271,7 @@ static et_status run_pass(const exact_fit *f, int decided[3], slong bits, const 
 et_status exact_fit_run(exact_fit *f, size_t *bits, const et_task *task, et_message *message)
 {
     int decided[3] = {0, 0, 0};
-    slong b = bits == NULL || *bits == 0 ? EXACT_BITS : *bits < GREATEST_BITS ? (slong)*bits : GREATEST_BITS, last = 0;
+    slong b = *bits == 0 ? EXACT_BITS : *bits < GREATEST_BITS ? (slong)*bits : GREATEST_BITS, last = 0;
     et_status status = check_rank(f, message);
 
     if (status != ET_OK)
@@ -286,7 +286,6 @@ et_status exact_fit_run(exact_fit *f, size_t *bits, const et_task *task, et_mess
         status = ET_EINTERNAL;
     if (status != ET_OK)
         return et_status_fail(message, status, "exact control points: %s", et_status_text(status));
-    if (bits != NULL)
-        *bits = (size_t)last;
+    *bits = (size_t)last;
     return ET_OK;
 }
