@@ -87,7 +87,7 @@ static et_status answer(void *context, et_reply *reply, const et_request *reques
 
     if (a->how == FAILS && call == a->at)
         return ET_ENOMEM;
-    status = et_answer_fast(reply, request);
+    status = (request->op == ET_OP_CURVE_NEAREST ? et_answer_exact : et_answer_fast)(reply, request);
     if (status != ET_OK || a->how == RIGHT || (call != a->at && a->at != SIZE_MAX))
         return status;
     if (a->how == REFUSES || a->how == DECLINES) {
@@ -113,13 +113,14 @@ static bool slow(const char *name)
 /* One case in 1000. */
 verdict prop_campaign_relate_conduct(gen *g)
 {
-    const et_hello all = et_answer_hello(0);
+    et_hello all = et_answer_hello(0);
     bool ok = true;
 
+    all.op[ET_OP_CURVE_NEAREST] = 1;
     for (size_t relation = 0; ok && relation < et_campaign_relations(); relation++)
         for (int how = 0; ok && how < CONDUCTS; how++)
-            for (size_t at = 0; ok && at < (how == RIGHT || slow(et_campaign_relation_name(relation)) ? 1u : 4u); at++) {
-                answers a = { (conduct)how, at == 3 ? SIZE_MAX : at, 0 };
+            for (size_t at = 0; ok && at < (slow(et_campaign_relation_name(relation)) ? 1u : how == RIGHT ? 8u : 4u); at++) {
+                answers a = { (conduct)how, at >= 3 ? SIZE_MAX : at, 0 };
                 et_judgement j;
                 et_request q;
                 memset(&q, 0, sizeof q);
