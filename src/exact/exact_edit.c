@@ -464,18 +464,16 @@ static et_status change_least(change *m, size_t *removed, const sheet *s, double
     if (!(s->u[s->p] < x && x < s->u[s->n]) || multiplicity == 0) {
         return ET_EINVAL;
     }
-    size_t r = smooth(s, x, multiplicity, upto - 1, times);
-    if (!change_remove(m, s, multiplicity, upto - 1, r)) {
-        return ET_ENOMEM;
-    }
-    while (!positive(m, s)) {
-        change_clear(m);
-        if (!change_remove(m, s, multiplicity, upto - 1, --r)) {
+    for (size_t r = smooth(s, x, multiplicity, upto - 1, times);; r--) {
+        if (!change_remove(m, s, multiplicity, upto - 1, r)) {
             return ET_ENOMEM;
         }
+        if (positive(m, s)) {
+            *removed = r;
+            return ET_OK;
+        }
+        change_clear(m);
     }
-    *removed = r;
-    return ET_OK;
 }
 
 et_status et_exact_curve_remove(et_curve *reduced, size_t *removed, const et_curve *c, double x, size_t times)
