@@ -415,6 +415,22 @@ static bool alike(gen *g, const char *what, const double *a, const double *b, si
     return true;
 }
 
+/* A y that is nearly balanced, and equations four times too stiff: what is left of N'y does not shrink by half, and has to be paid for. */
+static void hinder(gen *g, optimum_model *m, double *y)
+{
+    const int by = -(int)gen_between(g, 12, 40);
+    size_t seed = gen_upto(g, 0xffff);
+
+    for (size_t k = 0; k < 3 * m->nov; k++)
+        y[k] = hashed(&seed);
+    if (optimum_ball_polish(y, m, NULL) != ET_OK)
+        return;
+    for (size_t k = 0; k < 3 * m->nov; k++)
+        y[k] += ldexp(hashed(&seed), by);
+    for (size_t k = 0; k < m->start[m->nov]; k++)
+        m->value[k] *= 4;
+}
+
 /* One case in 4. */
 verdict prop_optimum_bound_ball(gen *g)
 {
@@ -426,6 +442,8 @@ verdict prop_optimum_bound_ball(gen *g)
 
     if (!ok)
         return FAIL;
+    if (gen_upto(g, 1))
+        hinder(g, &m, y);
     y[3 * m.nov] = NAN;
     live_begin(gen_upto(g, 15));
     ok = optimum_ball_bound(&lower, &proved, y, &m, c.data) == ET_OK;
