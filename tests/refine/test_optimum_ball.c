@@ -373,7 +373,7 @@ static double hashed(size_t *seed)
 /* Parameters of one direction or both within a tiny stretch of the domain but for the ends: 1 / sigma as great as it gets. */
 static void crowd(gen *g, optimum_case *c)
 {
-    const int small = -(int)gen_between(g, 4, 50);
+    const int small = gen_chance(g, 6) ? -(int)gen_between(g, 600, 1070) : -(int)gen_between(g, 4, 50);
     const size_t which = gen_upto(g, 2);
 
     for (size_t i = 1; i + 1 < c->fit.data.nx && which != 1; i++)
