@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { SIDE = 7, NODES = SIDE * SIDE, CLASSES = 2 * NODES, BORDER = 4 * SIDE, TALL = 3 * BORDER };
+enum { SIDE = 9, NODES = SIDE * SIDE, CLASSES = 2 * NODES, BORDER = 4 * SIDE, TALL = 3 * BORDER };
 
 typedef struct {
     et_doublenet net, control;
