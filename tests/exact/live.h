@@ -1,6 +1,6 @@
-/* live: what a call does with FLINT's and GMP's memory: whether it keeps any, reads what nobody has written, or goes beyond an array.  What FLINT keeps
- * for later is given back before counting.  All that is new, also on the stack below, and what lies around it is filled with bytes 0x41, an integer of
- * FLINT's where there is no memory. */
+/* live: what a call does with FLINT's and GMP's memory: whether it keeps any, reads what nobody has written, or goes beyond an array.  What FLINT
+ * keeps for later is given back before counting.  All that is new, also on the stack below, and what lies around it is filled with bytes 0x41, an
+ * integer of FLINT's where there is no memory. */
 #ifndef TESTS_EXACT_LIVE_H
 #define TESTS_EXACT_LIVE_H
 #include <flint/flint.h>

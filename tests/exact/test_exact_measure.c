@@ -386,9 +386,9 @@ verdict prop_exact_fit_measure(gen *g)
     return ok ? PASS : FAIL;
 }
 
-/* The precision is the greater of the two sums'.  Bottom at (2/3, 0, 0), a third of two weights' sum; data on the axis, on both sides of it: distances
- * from it 2^53 - 2/3, 5/3, 4/3, 2/3 add up to 2^53 + 3, a tie, while those of the top, at (0, 1, 1), have no rational sum.  Or all data at the bottom,
- * so that one sum is 0 at once and the other 4 sqrt(2). */
+/* The precision is the greater of the two sums'.  Bottom at (2/3, 0, 0), a third of two weights' sum; data on the axis, on both sides of it:
+ * distances from it 2^53 - 2/3, 5/3, 4/3, 2/3 add up to 2^53 + 3, a tie, while those of the top, at (0, 1, 1), have no rational sum.  Or all data at
+ * the bottom, so that one sum is 0 at once and the other 4 sqrt(2). */
 /* One case in 50. */
 verdict prop_exact_fit_measure_bits(gen *g)
 {

@@ -395,7 +395,8 @@ verdict prop_exact_curve_nearest_between(gen *g)
     P = gen_upto(g, 1) ? (et_vec3){0.5 * height, 0.5 * height, 0.0} : P;
     double want = fmin(hypot(P.x + height, P.y), hypot(P.x - 2.0 * height, P.y - height));
     bool on = P.x == 0.5 * height, ok = gen_check(g, curve_nearest(&x, &distance, &lower, &c, P) == ET_OK, "status");
-    ok = ok && gen_check(g, fabs(distance - want) <= 0x1p-50 * want && (on ? lower == 0.0 : lower < distance), "%a, %a for %a", lower, distance, want);
+    ok =
+        ok && gen_check(g, fabs(distance - want) <= 0x1p-50 * want && (on ? lower == 0.0 : lower < distance), "%a, %a for %a", lower, distance, want);
     et_curve_free(&c);
     return ok ? PASS : FAIL;
 }

@@ -432,8 +432,10 @@ verdict prop_exact_param_grid(gen *g)
     et_param_grid(sf, nx, rf, ny, &fast_flat, D, method);
     gen_label(g, along_u + along_v > 0 ? "flat lines" : "long lines");
     const bool none = method == ET_PARAM_UNIFORM || ((nx == 2 || along_u == ny) && (ny == 2 || along_v == nx));
-    return gen_check(g, none ? bits == 0 : bits > 0 && doubled(bits, 128), "%zu bits", bits) && gen_check(g, flat == along_u + along_v && flat == fast_flat, "%zu flat lines", flat) && means_agree(g, s, s2, sf, nx, ny, method) &&
-                   means_agree(g, r, r2, rf, ny, nx, method) && grid_precise(g, s, nx, r, ny, D, method, bits)
+    return gen_check(g, none ? bits == 0 : bits > 0 && doubled(bits, 128), "%zu bits", bits) &&
+                   gen_check(g, flat == along_u + along_v && flat == fast_flat, "%zu flat lines", flat) &&
+                   means_agree(g, s, s2, sf, nx, ny, method) && means_agree(g, r, r2, rf, ny, nx, method) &&
+                   grid_precise(g, s, nx, r, ny, D, method, bits)
                ? PASS
                : FAIL;
 }

@@ -113,7 +113,8 @@ verdict prop_exact_curve_point_ball(gen *g)
     mag_clear(more);
     arb_clear(ball);
     fmpq_clear(q);
-    if (!gen_check(g, !kept, "memory is kept") || !gen_check(g, one ? ref_same(got, from == 0.0 ? 0.0 : (double)sign * from) : got == 47.0, "%a", got))
+    if (!gen_check(g, !kept, "memory is kept") ||
+        !gen_check(g, one ? ref_same(got, from == 0.0 ? 0.0 : (double)sign * from) : got == 47.0, "%a", got))
         return FAIL;
     return k - wide <= -2 || gen_check(g, one == tells, "%ld +- %ld eighths from %a: %d", k, wide, x, one) ? PASS : FAIL;
 }
@@ -154,8 +155,10 @@ verdict prop_exact_surface_grid_sizes(gen *g)
     bool ok = gen_check(g, exact_fits(&n, limit, 1) && n == limit && exact_fits(&n, 1, limit), "%zu fits", limit);
 
     n = 5;
-    ok = ok && gen_check(g, !exact_fits(&n, limit + 1, 1) && !exact_fits(&n, SIZE_MAX, 2) && !exact_fits(&n, SIZE_MAX / 3, 4) && n == 5, "and no more");
-    ok = ok && gen_check(g, exact_fits(&n, a, limit / a) == (limit / a > 0 || a * (limit / a) <= limit) && !exact_fits(&n, a, limit / a + 1), "%zu", a);
+    ok = ok &&
+         gen_check(g, !exact_fits(&n, limit + 1, 1) && !exact_fits(&n, SIZE_MAX, 2) && !exact_fits(&n, SIZE_MAX / 3, 4) && n == 5, "and no more");
+    ok = ok &&
+         gen_check(g, exact_fits(&n, a, limit / a) == (limit / a > 0 || a * (limit / a) <= limit) && !exact_fits(&n, a, limit / a + 1), "%zu", a);
     return ok ? PASS : FAIL;
 }
 
@@ -189,9 +192,11 @@ verdict prop_exact_surface_partials_memory(gen *g)
     bool ok = gen_check(g, live_end(), "memory is kept") && gen_check(g, status == ET_OK, "status") &&
               gen_check(g, normal == ET_OK || (normal == ET_ERANK && n.x == 1.0 && n.y == 2.0 && n.z == 3.0), "normal") &&
               gen_check(g, D[0].x == 47.0 && D[many + 1].x == 47.0 && grid[0].x == 47.0 && grid[na * nb + 1].x == 47.0, "written beyond the end");
-    ok = ok && gen_check(g, left == ET_SIDE_LEFT || (ref_same(D[1].x, S.x) && ref_same(D[1].y, S.y) && ref_same(D[1].z, S.z)), "the point is another");
+    ok =
+        ok && gen_check(g, left == ET_SIDE_LEFT || (ref_same(D[1].x, S.x) && ref_same(D[1].y, S.y) && ref_same(D[1].z, S.z)), "the point is another");
     for (size_t k = 0; ok && k < na * nb; k++) {
-        ok = gen_check(g, et_exact_surface_point(&S, &s, a[k / nb], b[k % nb]) == ET_OK && memcmp(&S, grid + 1 + k, sizeof S) == 0, "grid point %zu", k);
+        ok = gen_check(g, et_exact_surface_point(&S, &s, a[k / nb], b[k % nb]) == ET_OK && memcmp(&S, grid + 1 + k, sizeof S) == 0, "grid point %zu",
+                       k);
     }
     for (size_t k = 0; ok && k < na; k++) {                 /* each parameter is looked at */
         const double was = a[k];
