@@ -1285,6 +1285,8 @@ verdict prop_enclosure_make_system(gen *g)
     for (size_t e = 0; e < 2; e++) {
         const size_t n = e ? v->nv : v->nu, m = e ? k.fit.data.ny : k.fit.data.nx;
         inner[e] = n > 2 && gen_chance(g, 3);
+        if (m > 3 && gen_chance(g, 3)) /* where proofs begin to fail */
+            k.t[0][e][2] = fmin(k.t[0][e][3], k.t[0][e][1] + ldexp(gen_real(g, 1, 2), -(int)gen_between(g, 40, 52)));
         if (matched(k.t[0][e], m, k.u[0][e], n, e ? v->q : v->p, false) < n)
             return SKIP;
     }

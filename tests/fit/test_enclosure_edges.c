@@ -284,6 +284,22 @@ verdict prop_enclosure_make_unverified(gen *g)
     return ok ? PASS : FAIL;
 }
 
+/* Parameters half way between two knots, one of them once: R is ((1, 1), (0, 1/2)) or its negatives, and entries of 1 count as others do. */
+verdict prop_enclosure_make_ones(gen *g)
+{
+    static const double u[4] = { 0, 0, 1, 1 }, t[5] = { 0.5, 0.5, 0.5, 0.5, 1 };
+    enclosure_system s;
+    bool ok = true;
+
+    if (enclosure_direction(&s, t, 5, u, 2, 1, 0) != ET_OK)
+        return FAIL;
+    const et_status status = enclosure_verify(&s);
+    ok = gen_check(g, status == ET_OK, "status %d", (int)status);
+    ok = ok && gen_check(g, fabs(s.T[0] * s.T[3]) > 0.99 && fabs(fabs(s.T[1]) - fabs(s.T[3])) < 1e-15, "T = %g %g %g", s.T[0], s.T[1], s.T[3]);
+    enclosure_system_free(&s);
+    return ok ? PASS : FAIL;
+}
+
 /* Degree 0: each parameter sees the interval it is in. */
 verdict prop_enclosure_make_steps(gen *g)
 {
