@@ -89,7 +89,8 @@ static bool ahead(matched a, matched b)
     return a.count != b.count ? a.count > b.count : a.sum > b.sum;
 }
 
-/* The best increasing choice: of the first i parameters and j columns; what leaves out the last parameter first, then the last column, then the pair. */
+/* The best increasing choice: of the first i parameters and j columns; what leaves out the last parameter first, then the last column, then the pair.
+ */
 static void expect_keep(expected *e)
 {
     static matched best[ROWS + 1][COLUMNS + 1];
@@ -138,7 +139,8 @@ static void expect_shift(expected *e)
     }
     for (size_t i = 0; i < e->nt; i++)
         for (size_t k = 0; k <= e->p; k++)
-            e->value[i * (e->p + 1) + k] *= ldexp(1, e->shift[e->first[i] + k] / 2) * ldexp(1, e->shift[e->first[i] + k] - e->shift[e->first[i] + k] / 2);
+            e->value[i * (e->p + 1) + k] *=
+                ldexp(1, e->shift[e->first[i] + k] / 2) * ldexp(1, e->shift[e->first[i] + k] - e->shift[e->first[i] + k] / 2);
 }
 
 static void expect_axis(expected *e)

@@ -176,7 +176,8 @@ static bool same_model(gen *g, const optimum_model *m, const expected *e, const 
     bool ok = same_axis(g, &m->u, &e->u) && same_axis(g, &m->v, &e->v);
 
     ok = ok && gen_check(g, m->data.nx == c->fit.data.nx && m->data.ny == c->fit.data.ny && m->control.nx == e->nu && m->control.ny == e->nv, "nets");
-    ok = ok && gen_check(g, m->nov == c->nov && m->m == e->m && m->half == e->half, "%zu places, not %zu; half %zu, not %zu", m->m, e->m, m->half, e->half);
+    ok = ok &&
+         gen_check(g, m->nov == c->nov && m->m == e->m && m->half == e->half, "%zu places, not %zu; half %zu, not %zu", m->m, e->m, m->half, e->half);
     ok = ok && gen_check(g, m->u.clamped == (e->u.clamped && !dropped) && m->u.whole == (e->u.whole && !dropped), "what is proved of u") &&
          gen_check(g, m->v.clamped == e->v.clamped && m->v.whole == e->v.whole, "what is proved of v");
     for (size_t k = 0; k < 2 * e->nu * e->nv && ok; k++)

@@ -1,5 +1,5 @@
-/* et_optimum_find put together a second time from its parts: rounds of the primal-dual method, each from the residuals of the best so far, then the better
- * of two duals.  Everything it tells is compared bit for bit. */
+/* et_optimum_find put together a second time from its parts: rounds of the primal-dual method, each from the residuals of the best so far, then the
+ * better of two duals.  Everything it tells is compared bit for bit. */
 #include "etalon/refine/optimum.h"
 #include "etalon/base/real.h"
 #include "refine/optimum_cases.h"
@@ -217,7 +217,8 @@ verdict prop_optimum_find_rounds(gen *g)
     ok = ok && gen_check(g, expect(&e, &c, room, &o, &two), "not computed") && gen_check(g, status == e.status, "status %d", (int)status);
     et_shell_gather(Q, c.n, &c.fit.shell);
     ok = ok && same_result(g, &r, &e) && gen_check(g, memcmp(P, Q, c.n * sizeof *P) == 0, "control points");
-    ok = ok && gen_check(g, memcmp(dual, e.dual, c.nov * sizeof *dual) == 0, "dual") && gen_check(g, memcmp(history, e.history, sizeof history) == 0, "history");
+    ok = ok && gen_check(g, memcmp(dual, e.dual, c.nov * sizeof *dual) == 0, "dual") &&
+         gen_check(g, memcmp(history, e.history, sizeof history) == 0, "history");
     ok = ok && gen_check(g, strcmp(message.text, e.proved ? "left alone" : unproved) == 0, "message: %s", message.text);
     gen_label(g, e.rounds > 2 ? "rounds: 3 or 4" : e.rounds == 2 ? "rounds: 2" : "rounds: 1");
     gen_label(g, e.proved ? "proved" : "nothing proved");
@@ -238,7 +239,8 @@ static bool refused(refusal *k, const char *words)
     const et_optimum_result was = k->r;
     et_message message = {"none"};
     double lower = 7;
-    bool ok = gen_check(k->g, et_optimum_find(&k->c.fit, &k->r, NULL, NULL, 0, k->c.data, k->c.nov, NULL, NULL, &message) == ET_EINVAL, "not refused: %s", words);
+    bool ok = gen_check(k->g, et_optimum_find(&k->c.fit, &k->r, NULL, NULL, 0, k->c.data, k->c.nov, NULL, NULL, &message) == ET_EINVAL,
+                        "not refused: %s", words);
 
     ok = ok && gen_check(k->g, strcmp(message.text, words) == 0, "%s, not %s", message.text, words);
     ok = ok && gen_check(k->g, et_optimum_bound(&lower, k->dual, k->c.nov, &k->c.fit, k->c.data) == ET_EINVAL && lower == 7, "a bound: %s", words);

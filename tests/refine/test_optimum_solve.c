@@ -215,14 +215,15 @@ static bool run(expected *e, const double *b, double tolerance)
 
 /* ---- the property ---- */
 
-/* Positive numbers, or I + f q q', some of them far from the others.  odd: all of them zero, or some of them negative: then nothing is solved, but that
- * is told, and what comes out is determined all the same. */
+/* Positive numbers, or I + f q q', some of them far from the others.  odd: all of them zero, or some of them negative: then nothing is solved, but
+ * that is told, and what comes out is determined all the same. */
 static void draw_weights(gen *g, double *weight, size_t nov, bool blocks, size_t odd)
 {
     const int far = (int)gen_upto(g, 3) * 25;
 
     for (size_t c = 0; c < nov; c++) {
-        const double size = ldexp(gen_real(g, 1, 2), gen_chance(g, 3) ? -far : 0), q[3] = {gen_real(g, -1, 1), gen_real(g, -1, 1), gen_real(g, -1, 1)};
+        const double size = ldexp(gen_real(g, 1, 2), gen_chance(g, 3) ? -far : 0),
+                     q[3] = {gen_real(g, -1, 1), gen_real(g, -1, 1), gen_real(g, -1, 1)};
         double *const h = weight + (blocks ? 6 * c : c);
 
         h[0] = size;
@@ -242,12 +243,12 @@ static bool same_solution(gen *g, const optimum_solver *s, const expected *e)
 
     optimum_solve_take(x, w, s);
     for (size_t k = 0; k < n && ok; k++)
-        ok = gen_check(g, optimum_case_same(s->x + 2 * k, &e->x[k].hi, 1) && optimum_case_same(s->x + 2 * k + 1, &e->x[k].lo, 1), "x[%zu]: %a, not %a", k,
-                       s->x[2 * k], e->x[k].hi) &&
+        ok = gen_check(g, optimum_case_same(s->x + 2 * k, &e->x[k].hi, 1) && optimum_case_same(s->x + 2 * k + 1, &e->x[k].lo, 1),
+                       "x[%zu]: %a, not %a", k, s->x[2 * k], e->x[k].hi) &&
              gen_check(g, x[k] == e->x[k].hi + e->x[k].lo, "x[%zu] taken", k);
     for (size_t k = 0; k < nov && ok; k++)
-        ok = gen_check(g, optimum_case_same(s->w + 2 * k, &e->w[k].hi, 1) && optimum_case_same(s->w + 2 * k + 1, &e->w[k].lo, 1), "w[%zu]: %a, not %a", k,
-                       s->w[2 * k], e->w[k].hi) &&
+        ok = gen_check(g, optimum_case_same(s->w + 2 * k, &e->w[k].hi, 1) && optimum_case_same(s->w + 2 * k + 1, &e->w[k].lo, 1),
+                       "w[%zu]: %a, not %a", k, s->w[2 * k], e->w[k].hi) &&
              gen_check(g, w[k] == e->w[k].hi + e->w[k].lo, "w[%zu] taken", k);
     return ok;
 }
