@@ -536,9 +536,13 @@ verdict prop_exact_fit_solve_rank(gen *g)
     fmpq_mat_mul(A, L, R);
     live_begin(m + n);
     found = exact_rank(A);
+    const int dependent = exact_dependent(A);
     const bool kept = !live_end();
     fmpq_mat_clear(L);
     fmpq_mat_clear(R);
     fmpq_mat_clear(A);
-    return gen_check(g, !kept && found == rank, "%zu x %zu: rank %zu, should be %zu", m, n, found, rank) ? PASS : FAIL;
+    return gen_check(g, !kept, "memory is kept") && gen_check(g, found == rank, "%zu x %zu: rank %zu, should be %zu", m, n, found, rank) &&
+                   gen_check(g, (dependent != 0) == (rank < n), "%zu x %zu of rank %zu: dependent: %d", m, n, rank, dependent)
+               ? PASS
+               : FAIL;
 }
