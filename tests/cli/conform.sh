@@ -298,10 +298,10 @@ job interrupted
 
 # ---- Etalon itself, the templates, the sample ----
 itself() {
-    want 'Etalon' 0 "$etalon" conform --adapter "'$etalon' serve" --level 1 --vectors "$vectors" --json
+    want 'Etalon' 0 "$etalon" conform --adapter "'$etalon' serve" --level 1 --vectors "$vectors" --timeout 60 --json
     holds 'Etalon is within the bound' "j['asked'] >= 5000 and sum(n for k, n in j['verdicts'].items() if k not in ('correctly_rounded', 'within_bound', 'unsupported')) == 0" out
 }
-exactly() { want 'Etalon, exactly' 0 "$etalon" conform --adapter "'$etalon' serve --exact" --json; }
+exactly() { want 'Etalon, exactly' 0 "$etalon" conform --adapter "'$etalon' serve --exact" --timeout 60 --json; }
 templates() {
     ${CC:-cc} -std=c99 -Wall -Wextra -o template "$adapters/template/adapter.c" 2> err && pass 'the template in C compiles' || fail 'the template in C compiles' "$(cat err)"
     for a in ./template "python3 '$adapters/template/adapter.py'"; do

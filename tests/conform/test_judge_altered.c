@@ -137,6 +137,8 @@ verdict prop_judge_truth_each(gen *g)
         "curve_nearest 1 4 0 0 1 1 2 0 0 0 0x1p-1040 0 0 0 1 0 0 0", "curve_nearest 1 4 0 0 1 1 2 0 0 0 0x1p+900 0 0 0 1 0x1p+800 1 0",
         "curve_nearest 1 4 0 0 1 1 2 0 0 0 0x1.fffffffffffffp+1023 0 0 0 1 -0x1.fffffffffffffp+1023 0 0",
         "fit_curve 1 4 0 0 1 1 3 0 0x1p-1 1 3 0 0 0 0x1p+1023 1 1 2 2 2", "fit_curve 1 4 0 0 1 1 3 0 0 0 3 0 0 0 1 1 1 2 2 2",
+        "curve_remove 2 7 0 0 0 0x1p-1 1 1 1 4 0 0 0 1 2 0 2 2 0x1p-3 3 0 1 0 0x1p-1 1 0",
+        "curve_remove 2 7 0 0 0 0x1p-1 1 1 1 4 0 0 0 1 2 0 2 2 0x1p-3 3 0 1 0 0x1p-1 1 0x1p+10",
         "surface_error " JUMP_UV "1 0x1p-2 1 0x1p-2 1 0 0 0",
     };
     bool ok = true;
