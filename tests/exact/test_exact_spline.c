@@ -636,6 +636,32 @@ static double *room(const et_surface *s)
     return et_size_array(et_surface_work(s), sizeof(double));
 }
 
+/* Binomials beyond a word: C(70, 34), order 70 of a degree of 34. */
+/* One case in 500. */
+verdict prop_exact_curve_ders_high(gen *g)
+{
+    enum { P = 34, D = 70 };
+    et_vec3 S[D + 1], C;
+    et_curve c;
+    if (et_curve_new(&c, P, P + 1, 1) != ET_OK) {
+        return FAIL;
+    }
+    for (size_t i = 0; i <= P; i++) {
+        c.u[P + 1 + i] = 1.0;
+        c.points[i] = (et_vec3){(double)gen_upto(g, 9), (double)i, 1.0};
+        c.weights[i] = 1.0 + (double)(i * i % 7);
+    }
+    live_begin(0);
+    et_status status = et_exact_curve_ders(S, D, &c, 0.5);
+    bool ok = gen_check(g, live_end(), "memory is kept") && gen_check(g, status == ET_OK, "status %d", (int)status);
+    ok = ok && gen_check(g, et_exact_curve_point(&C, &c, 0.5) == ET_OK && same_point(S[0], C) && S[0].z == 1.0, "another point");
+    for (size_t k = 1; ok && k <= D; k++) {
+        ok = gen_check(g, S[k].z == 0.0, "derivative %zu of a constant: %a", k, S[k].z);
+    }
+    et_curve_free(&c);
+    return ok ? PASS : FAIL;
+}
+
 verdict prop_exact_surface_point(gen *g)
 {
     et_surface s;
