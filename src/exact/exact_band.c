@@ -45,17 +45,14 @@ void exact_band_solve(exact_mat *B, const exact_mat *L, size_t w)
 /* Of Z = (L D L')^-1 the elements within the band are enough to find one another (Takahashi, Fagan and Chin 1973): Z = D^-1 L^-1 + (I - L') Z. */
 void exact_band_trace(exact_mat *t, size_t i, size_t j, const exact_mat *L, size_t w)
 {
-    fmpq_t one;
     exact_mat Z, unit;
-    fmpq_init(one);
-    fmpq_one(one);
     exact_mat_init(&Z, L->rows, L->rows, L->bits);
     exact_mat_init(&unit, 1, 1, L->bits);
-    exact_mat_put(&unit, 0, 0, one);
+    exact_mat_put_double(&unit, 0, 0, 1);
     for (size_t c = L->rows; c-- > 0;) {
         for (size_t r = reach(L, c, w); r-- > c;) {
             if (r == c) {
-                exact_mat_put(&Z, c, c, one);
+                exact_mat_put_double(&Z, c, c, 1);
                 exact_mat_divide(&Z, c, c, L, c, c);
             }
             for (size_t k = c + 1; k < reach(L, c, w); k++)
@@ -65,7 +62,6 @@ void exact_band_trace(exact_mat *t, size_t i, size_t j, const exact_mat *L, size
     }
     exact_mat_clear(&Z);
     exact_mat_clear(&unit);
-    fmpq_clear(one);
 }
 
 /* ---- dependence ---- */

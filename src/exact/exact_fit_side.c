@@ -61,14 +61,11 @@ static void split(exact_side *s, const exact_mat *Z, const exact_mat *Ac)
 {
     const size_t inner = s->n - 2;
     exact_mat W, AW, one;
-    fmpq_t unit;
 
     exact_mat_init(&W, inner, 2, Z->bits);
     exact_mat_init(&AW, s->m, 2, Z->bits);
     exact_mat_init(&one, 1, 1, Z->bits);
-    fmpq_init(unit);
-    fmpq_one(unit);
-    exact_mat_put(&one, 0, 0, unit);
+    exact_mat_put_double(&one, 0, 0, 1);
     exact_mat_mul(&W, Z, Ac);
     exact_mat_mul(&AW, &s->Ai, &W);
     exact_mat_sub(&s->Q, Ac, &AW);
@@ -77,7 +74,6 @@ static void split(exact_side *s, const exact_mat *Z, const exact_mat *Ac)
     for (size_t i = 0; i < inner; i++)
         for (size_t e = 0; e < 2; e++)
             exact_mat_copy_minus(&s->F, i + 1, e * (s->n - 1), &W, i, e);
-    fmpq_clear(unit);
     exact_mat_clear(&one);
     exact_mat_clear(&AW);
     exact_mat_clear(&W);
