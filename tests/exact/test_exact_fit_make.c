@@ -1106,7 +1106,7 @@ static void draw_near_tie(problem *c, size_t e, bool across, bool up)
 /* One case in 10. */
 verdict prop_exact_fit_solve_bits(gen *g)
 {
-    static const size_t given[][2] = {{0, 256}, {2, 256}, {60, 240}, {240, 240}, {999, 999}, {2049, 2049}};
+    static const size_t given[][2] = {{0, 256}, {1, 256}, {2, 256}, {60, 240}, {240, 240}, {999, 999}, {2049, 2049}};
     const bool up = gen_chance(g, 2), across = gen_chance(g, 2);
     const size_t e = gen_upto(g, 2);
     problem c;
