@@ -463,7 +463,7 @@ static bool agrees(gen *g, problem *c, const judgement *is, size_t *bits, const 
 static bool judged(gen *g, problem *c)
 {
     judgement is;
-    size_t own = 0, given = gen_between(g, 2, gen_chance(g, 2) ? 300 : 40), four;
+    size_t own = 0, given = gen_chance(g, 6) ? 1 : gen_between(g, 2, gen_chance(g, 2) ? 300 : 40), four;
     bool ok;
 
     judge(&is, c);
