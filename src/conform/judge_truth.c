@@ -136,10 +136,15 @@ static double difference(double a, double b, double c, double d)
     return et_dd_sub(et_dd_two_product(a, b), et_dd_two_product(c, d)).hi;
 }
 
+static double greatest(et_vec3 a)
+{
+    return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+}
+
 /* The power of two by which the vector is nearly of size 1. */
 static double unit_of(et_vec3 a)
 {
-    const double most = fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+    const double most = greatest(a);
     int e;
 
     frexp(most, &e);
@@ -147,14 +152,21 @@ static double unit_of(et_vec3 a)
 }
 
 /* |a x b|, as if the product were exact. */
-static double cross_length(double *sine, et_vec3 a, et_vec3 b)
+static double cross_length(et_vec3 a, et_vec3 b)
 {
     const double s = unit_of(a), t = unit_of(b);
     const et_vec3 A = { s * a.x, s * a.y, s * a.z }, B = { t * b.x, t * b.y, t * b.z };
     const double cross[3] = { difference(A.y, B.z, A.z, B.y), difference(A.z, B.x, A.x, B.z), difference(A.x, B.y, A.y, B.x) };
 
-    *sine = judge_length(cross);
-    return *sine / s / t;
+    return judge_length(cross) / s / t;
+}
+
+/* What underflows in the cross product where each factor is brought to size 1 by a power of two; as small as eta at least. */
+static double lost_by_scaling(et_vec3 a, et_vec3 b)
+{
+    const double p = greatest(a), q = greatest(b);
+
+    return fmax(eta, eta * fmax(p, q) * fmin(p, q));
 }
 
 static void put_normal(judge_list *list, const et_vec3 *n, const et_vec3 D[3], const double B[9], double K)
@@ -166,14 +178,12 @@ static void put_normal(judge_list *list, const et_vec3 *n, const et_vec3 D[3], c
         const double ay = judge_coordinate(&D[1], y), az = judge_coordinate(&D[1], z);
         const double by = judge_coordinate(&D[2], y), bz = judge_coordinate(&D[2], z);
         e[c] = judge_times(fabs(ay), B[6 + z]) + judge_times(B[3 + y], fabs(bz)) + judge_times(fabs(az), B[6 + y]) + judge_times(B[3 + z], fabs(by))
-             + K * ET_UNIT * (fabs(ay * bz) + fabs(az * by)) + K * eta;
+             + K * ET_UNIT * (fabs(ay * bz) + fabs(az * by)) + K * lost_by_scaling(D[1], D[2]);
         sum += e[c];
         along += judge_times(fabs(judge_coordinate(n, c)), e[c]);
     }
-    double sine;
-    const double l = cross_length(&sine, D[1], D[2]);
-    /* Brought into the range of doubles by their greatest coordinates, the two lose what distinguishes them. */
-    if (!(l > 0x1p10 * sum) || sine <= 0x1p-900)
+    const double l = cross_length(D[1], D[2]);
+    if (!(l > 0x1p10 * sum))
         list->doubt = "the normal can hardly be told from none";
     for (size_t c = 0; c < 3; c++) {
         const double x = judge_coordinate(n, c);

@@ -151,7 +151,10 @@ et_status et_surface_normal(et_vec3 *n, const et_surface *s, double u, double v,
     et_vec3 x = a.value, y = b.value, c = {x.y * y.z - x.z * y.y, x.z * y.x - x.x * y.z, x.x * y.y - x.y * y.x};
     et_vec3 k = a.size, l = b.size, m = {k.y * l.z + k.z * l.y, k.z * l.x + k.x * l.z, k.x * l.y + k.y * l.x};
     /* A tangent has 14(p+q) + 6 roundings with weights, the difference of two products 28(p+q) + 14; the rest is for the sizes' own. */
-    double size = length(c), bound = (28.0 * (double)(s->p + s->q) + 16.0) * ET_UNIT * length(m);
+    int exponent;               /* squares of what is far below 1 would vanish */
+    frexp(greatest(c), &exponent);
+    c = scaled(c, -exponent);
+    double size = length(c), bound = (28.0 * (double)(s->p + s->q) + 16.0) * ET_UNIT * length(scaled(m, -exponent));
     if (!(size > bound)) {
         return ET_ERANK;
     }

@@ -572,10 +572,10 @@ def normal_of(s, x, y, side):
     a, b = [F(nearest(t)) for t in D[1, 0]], [F(nearest(t)) for t in D[0, 1]]
     alpha, beta = [B for _, B in E[1, 0]], [B for _, B in E[0, 1]]
     K = 16 * (s.p + s.q + 4)
-    e = []
+    e, lost = [], LEAST * max(1, max(map(abs, a)) * max(map(abs, b)))
     for i, j in ((1, 2), (2, 0), (0, 1)):
         e.append(abs(a[i]) * beta[j] + alpha[i] * abs(b[j]) + abs(a[j]) * beta[i] + alpha[j] * abs(b[i])
-                 + K * U * (abs(a[i] * b[j]) + abs(a[j] * b[i])) + K * LEAST)
+                 + K * U * (abs(a[i] * b[j]) + abs(a[j] * b[i])) + K * lost)
     length = root(sum(t * t for t in cross(a, b)), 2, 120)[0]
     if any(p and not F(2)**-400 < p < F(2)**480 for p in map(abs, a + b)) or length == 0:
         return None                              # products of doubles near the ends of their range
