@@ -138,7 +138,7 @@ asan:
 valgrind: $(B)/check
 	@ET_RUNS=$${ET_RUNS:-20} OMP_NUM_THREADS=1 valgrind -q --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite $(B)/check
 audit: $(B)/libetalon.a
-	@sh tests/audit.sh $(B)/libetalon.a
+	@$(SUM) 'sh tests/audit.sh $(B)/libetalon.a' 'sh tests/kinds.sh $(B)/libetalon.a'
 floors:
 	@sh tests/floors.sh '$(CC)'
 contracts:
