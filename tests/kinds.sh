@@ -1,5 +1,6 @@
 #!/bin/sh
-# kinds.sh LIBRARY: tests/kinds.tsv says of every public function which kinds of properties it has, and why it cannot have the others.  One line a function.
+# kinds.sh LIBRARY: tests/kinds.tsv says of every public function which kinds of properties it has, and why it cannot have the others.  One line
+# a function.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -15,7 +16,8 @@ included() {
 }
 
 # What there is: public functions, properties and where they stand, what each test calls, rows that are compared bit for bit, whole runs.
-nm -g --defined-only "$1" 2> /dev/null | awk 'NF == 3 && $2 == "T" && $3 ~ /^et_[a-z0-9]+_[a-z0-9_]+$/ { print substr($3, 4) }' | sort -u > "$work/exported"
+nm -g --defined-only "$1" 2> /dev/null |
+    awk 'NF == 3 && $2 == "T" && $3 ~ /^et_[a-z0-9]+_[a-z0-9_]+$/ { print substr($3, 4) }' | sort -u > "$work/exported"
 cat include/etalon/*/*.h | grep -oE '(^|[^a-z0-9_])et_[a-z0-9]+_[a-z0-9_]+\(' | sed -E 's/^[^a-z]?et_//; s/\($//' | sort -u > "$work/declared"
 comm -12 "$work/exported" "$work/declared" | sed 's/^/function /' > "$work/facts"
 for t in tests/*/test_*.c; do

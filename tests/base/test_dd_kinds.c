@@ -1,6 +1,6 @@
 /* base/dd: relations between calls.  Powers of two and signs go through every operation, sums and products do not depend on the order, what was added
- * or multiplied is taken away again, and quotient and root solve what they are to solve: within the proved bounds, 3u^2 a sum (and some u^3), 7u^2 a product,
- * 15u^2 a quotient, 25/8 u^2 a root. */
+ * or multiplied is taken away again, and quotient and root solve what they are to solve: within the proved bounds, 3u^2 a sum (and some u^3), 7u^2
+ * a product, 15u^2 a quotient, 25/8 u^2 a root. */
 #include "etalon/base/dd.h"
 #include "gen.h"
 #include <math.h>
@@ -81,9 +81,11 @@ verdict prop_dd_mul_scaled(gen *g)
 {
     const et_dd a = drawn(g), b = drawn(g), c = a.hi < 0 ? negative(a) : a;
     const int e = (int)gen_upto(g, 200) - 100;
-    bool ok = same(g, et_dd_mul(scaled(a, e), b), scaled(et_dd_mul(a, b), e), "mul") && same(g, et_dd_div(scaled(a, e), b), scaled(et_dd_div(a, b), e), "div");
+    bool ok = same(g, et_dd_mul(scaled(a, e), b), scaled(et_dd_mul(a, b), e), "mul") && same(g, et_dd_div(scaled(a, e), b), scaled(et_dd_div(a, b),
+            e), "div");
 
-    ok = ok && same(g, et_dd_div(a, scaled(b, e)), scaled(et_dd_div(a, b), -e), "div by") && same(g, et_dd_sqrt(scaled(c, 2 * e)), scaled(et_dd_sqrt(c), e), "sqrt");
+    ok = ok && same(g, et_dd_div(a, scaled(b, e)), scaled(et_dd_div(a, b), -e), "div by") && same(g, et_dd_sqrt(scaled(c, 2 * e)),
+            scaled(et_dd_sqrt(c), e), "sqrt");
     return ok && same(g, et_dd_two_product(ldexp(a.hi, e), b.hi), scaled(et_dd_two_product(a.hi, b.hi), e), "two_product") ? PASS : FAIL;
 }
 
@@ -104,7 +106,8 @@ verdict prop_dd_sqrt_back(gen *g)
 {
     const et_dd b = drawn(g), a = b.hi < 0 ? negative(b) : b, r = et_dd_sqrt(a);
 
-    return near(g, et_dd_mul(r, r), a, 13.3 * uu * a.hi, "root squared") && near(g, et_dd_sqrt(et_dd_mul(a, a)), a, 6.7 * uu * a.hi, "root of the square")
+    return near(g, et_dd_mul(r, r), a, 13.3 * uu * a.hi, "root squared") && near(g, et_dd_sqrt(et_dd_mul(a, a)), a, 6.7 * uu * a.hi,
+            "root of the square")
            ? PASS
            : FAIL;
 }

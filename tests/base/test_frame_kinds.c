@@ -43,13 +43,16 @@ verdict prop_frame_of_scaled(gen *g)
     }
     if (et_frame_of(&f, p, n, kind) != ET_OK)
         return SKIP;
-    bool ok = gen_check(g, et_frame_of(&turned, q, n, kind) == ET_OK && same(&f.offset, &turned.offset, 1) && same(&f.scale, &turned.scale, 1), "another order");
+    bool ok = gen_check(g, et_frame_of(&turned, q, n, kind) == ET_OK && same(&f.offset, &turned.offset, 1) && same(&f.scale, &turned.scale, 1),
+            "another order");
     for (size_t i = 0; i < n; i++)
         q[i] = (et_vec3){ldexp(p[i].x, e), ldexp(p[i].y, e), ldexp(p[i].z, e)};
     const et_vec3 offset = {ldexp(f.offset.x, e), ldexp(f.offset.y, e), ldexp(f.offset.z, e)};
     const bool all = kind == ET_FRAME_UNIFORM;
-    const et_vec3 scale = {larger(f.scale.x, all || hi.x > lo.x, e), larger(f.scale.y, all || hi.y > lo.y, e), larger(f.scale.z, all || hi.z > lo.z, e)};
-    ok = ok && gen_check(g, et_frame_of(&large, q, n, kind) == ET_OK && same(&large.offset, &offset, 1) && same(&large.scale, &scale, 1), "2^%d times", e);
+    const et_vec3 scale = {larger(f.scale.x, all || hi.x > lo.x, e), larger(f.scale.y, all || hi.y > lo.y, e), larger(f.scale.z, all || hi.z > lo.z,
+            e)};
+    ok = ok && gen_check(g, et_frame_of(&large, q, n, kind) == ET_OK && same(&large.offset, &offset, 1) && same(&large.scale, &scale, 1),
+            "2^%d times", e);
     memcpy(unit, p, sizeof unit);
     memcpy(again, q, sizeof again);
     et_frame_to_unit(unit, n, &f);

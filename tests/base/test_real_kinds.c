@@ -1,5 +1,5 @@
-/* base/real: relations between calls, which follow from correct rounding: what a function undoes, what rises with its argument, what powers of two and signs
- * do, squares of sine and cosine.  u = 2^-53. */
+/* base/real: relations between calls, which follow from correct rounding: what a function undoes, what rises with its argument, what powers of two
+ * and signs do, squares of sine and cosine.  u = 2^-53. */
 #include "etalon/base/real.h"
 #include "gen.h"
 #include <math.h>
@@ -32,7 +32,8 @@ verdict prop_real_log_back(gen *g)
 /* Rounding keeps the order. */
 verdict prop_real_exp_rises(gen *g)
 {
-    const double x = gen_real(g, -740, 709), y = gen_upto(g, 1) ? nextafter(x, 710) : x + gen_real(g, 0, 1), a = sized(g, -1000, 1000), b = nextafter(a, HUGE_VAL);
+    const double x = gen_real(g, -740, 709), y = gen_upto(g, 1) ? nextafter(x, 710) : x + gen_real(g, 0, 1), a = sized(g, -1000, 1000),
+            b = nextafter(a, HUGE_VAL);
     bool ok = gen_check(g, et_real_exp(x) <= et_real_exp(y), "exp falls from %a to %a", x, y);
 
     ok = ok && gen_check(g, et_real_log(a) <= et_real_log(b), "log falls at %a", a);
@@ -46,7 +47,8 @@ verdict prop_real_pow_powers(gen *g)
     const double x = sized(g, -500, 500), y = gen_real(g, -1.3, 1.3), one = et_real_pow(x, y) * et_real_pow(x, -y);
     bool ok = gen_check(g, same(et_real_pow(x, 1), x) && same(et_real_pow(x, 2), x * x) && same(et_real_pow(x, -1), 1 / x), "whole powers of %a", x);
 
-    ok = ok && gen_check(g, same(et_real_pow(x, 0.5), sqrt(x)) && same(et_real_pow(-x, 2), x * x) && same(et_real_pow(-x, -1), -1 / x), "powers of %a", x);
+    ok = ok && gen_check(g, same(et_real_pow(x, 0.5), sqrt(x)) && same(et_real_pow(-x, 2), x * x) && same(et_real_pow(-x, -1), -1 / x),
+            "powers of %a", x);
     return ok && gen_check(g, fabs(one - 1) <= 3 * ET_UNIT * (1 + 0x1p-30) + ET_UNIT, "%a to the powers +-%a: %a", x, y, one) ? PASS : FAIL;
 }
 
@@ -67,7 +69,8 @@ verdict prop_real_sin_cos(gen *g)
     return ok && gen_check(g, fabs(s * s + c * c - 1) <= 4 * ET_UNIT * (1 + 0x1p-30), "squares at %a: %a", x, s * s + c * c) ? PASS : FAIL;
 }
 
-/* Powers of two and signs go through; the other end first, each sum is within its bound of the exact one: 18 roundings and one more a doubling of blocks. */
+/* Powers of two and signs go through; the other end first, each sum is within its bound of the exact one: 18 roundings and one more a doubling of
+ * blocks. */
 verdict prop_real_sum_scaled(gen *g)
 {
     double x[MOST], y[MOST], z[MOST], size = 0;
@@ -86,5 +89,6 @@ verdict prop_real_sum_scaled(gen *g)
     const double sum = et_real_sum(x, n), back = et_real_sum(z, n);
     bool ok = gen_check(g, et_real_sum(y, n) == -ldexp(sum, e), "%zu terms by -2^%d: %a, not %a", n, e, et_real_sum(y, n), -ldexp(sum, e));
 
-    return ok && gen_check(g, fabs(back - sum) <= 2 * 21 * ET_UNIT * size * (1 + 0x1p-30), "%zu terms, the other end first: %a, not %a", n, back, sum) ? PASS : FAIL;
+    return ok && gen_check(g, fabs(back - sum) <= 2 * 21 * ET_UNIT * size * (1 + 0x1p-30), "%zu terms, the other end first: %a, not %a", n, back,
+            sum) ? PASS : FAIL;
 }

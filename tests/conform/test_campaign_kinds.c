@@ -34,7 +34,8 @@ verdict prop_campaign_relate_again(gen *g)
         ok = gen_check(g, et_request_print(&line[k], &q[k]) == ET_OK, "no line") && ok;
     }
     ok = ok && gen_check(g, strcmp(line[0], line[1]) == 0, "%s, then %s", line[0], line[1]);
-    ok = ok && gen_check(g, j[0].verdict == j[1].verdict && j[0].at == j[1].at && strcmp(j[0].text, j[1].text) == 0, "%s, then %s", j[0].text, j[1].text);
+    ok = ok && gen_check(g, j[0].verdict == j[1].verdict && j[0].at == j[1].at && strcmp(j[0].text, j[1].text) == 0, "%s, then %s", j[0].text,
+            j[1].text);
     for (int k = 0; k < 2; k++) {
         et_request_free(&q[k]);
         free(line[k]);

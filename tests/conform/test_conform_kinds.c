@@ -14,7 +14,8 @@ verdict prop_conform_defaults_again(gen *g)
     o.vectors = "";
     memset(o.op, 0, sizeof o.op);
     o = et_conform_defaults();
-    return gen_check(g, o.level == was.level && o.seed == was.seed && o.cases == was.cases && o.vectors == was.vectors && o.findings == was.findings &&
+    return gen_check(g, o.level == was.level && o.seed == was.seed && o.cases == was.cases && o.vectors == was.vectors &&
+            o.findings == was.findings &&
                             memcmp(o.op, was.op, sizeof o.op) == 0,
                      "other defaults")
            ? PASS

@@ -21,7 +21,8 @@ static bool same(const double *a, const double *b, size_t n)
 static bool again(gen *g, et_request *read, const et_request *r)
 {
     char *line = NULL;
-    const bool ok = gen_check(g, et_request_print(&line, r) == ET_OK && et_request_parse(read, line, NULL) == ET_OK, "not read: %s", line ? line : "");
+    const bool ok = gen_check(g, et_request_print(&line, r) == ET_OK && et_request_parse(read, line, NULL) == ET_OK, "not read: %s",
+            line ? line : "");
 
     free(line);
     return ok;
@@ -38,7 +39,8 @@ verdict prop_request_curve_back(gen *g)
     draw(g, w, nw);
     if (et_request_new(&r[0], ET_OP_CURVE_POINT) != ET_OK)
         return FAIL;
-    bool ok = et_request_set(&r[0], 0, p, NULL) == ET_OK && et_request_set(&r[0], 1, n + p + 1, u) == ET_OK && et_request_set(&r[0], 2, n, P) == ET_OK &&
+    bool ok = et_request_set(&r[0], 0, p, NULL) == ET_OK && et_request_set(&r[0], 1, n + p + 1, u) == ET_OK && et_request_set(&r[0], 2, n,
+            P) == ET_OK &&
               et_request_set(&r[0], 3, nw, w) == ET_OK;
     const bool read = gen_check(g, ok, "not set") && again(g, &r[1], &r[0]);
     ok = read;
@@ -55,7 +57,8 @@ verdict prop_request_curve_back(gen *g)
 
 verdict prop_request_surface_back(gen *g)
 {
-    const size_t p = (size_t)gen_upto(g, 3), q = (size_t)gen_upto(g, 3), nu = p + 1 + (size_t)gen_upto(g, 2), nv = q + 1 + (size_t)gen_upto(g, 2), n = nu * nv;
+    const size_t p = (size_t)gen_upto(g, 3), q = (size_t)gen_upto(g, 3), nu = p + 1 + (size_t)gen_upto(g, 2), nv = q + 1 + (size_t)gen_upto(g, 2),
+            n = nu * nv;
     const size_t nw = gen_upto(g, 1) ? n : 0;
     double u[MOST], v[MOST], P[MOST], w[MOST];
     et_request r[2];
@@ -66,14 +69,17 @@ verdict prop_request_surface_back(gen *g)
     draw(g, w, nw);
     if (et_request_new(&r[0], ET_OP_SURFACE_POINT) != ET_OK)
         return FAIL;
-    bool ok = et_request_set(&r[0], 0, p, NULL) == ET_OK && et_request_set(&r[0], 1, q, NULL) == ET_OK && et_request_set(&r[0], 2, nu + p + 1, u) == ET_OK;
-    ok = ok && et_request_set(&r[0], 3, nv + q + 1, v) == ET_OK && et_request_set(&r[0], 4, n, P) == ET_OK && et_request_set(&r[0], 5, nw, w) == ET_OK;
+    bool ok = et_request_set(&r[0], 0, p, NULL) == ET_OK && et_request_set(&r[0], 1, q, NULL) == ET_OK && et_request_set(&r[0], 2, nu + p + 1,
+            u) == ET_OK;
+    ok = ok && et_request_set(&r[0], 3, nv + q + 1, v) == ET_OK && et_request_set(&r[0], 4, n, P) == ET_OK && et_request_set(&r[0], 5, nw,
+            w) == ET_OK;
     const bool read = gen_check(g, ok, "not set") && again(g, &r[1], &r[0]);
     ok = read;
     for (int k = 0; ok && k < 2; k++) {
         et_surface s;
         ok = gen_check(g, et_request_surface(&s, &r[k], 0) == ET_OK && s.p == p && s.q == q && s.nu == nu && s.nv == nv, "no surface, or another");
-        ok = ok && gen_check(g, same(s.u, u, nu + p + 1) && same(s.v, v, nv + q + 1) && same(&s.points[0].x, P, 3 * n) && same(s.weights, w, nw), "other numbers");
+        ok = ok && gen_check(g, same(s.u, u, nu + p + 1) && same(s.v, v, nv + q + 1) && same(&s.points[0].x, P, 3 * n) && same(s.weights, w, nw),
+                "other numbers");
     }
     et_request_free(&r[0]);
     if (read)

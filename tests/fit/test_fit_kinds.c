@@ -65,7 +65,8 @@ verdict prop_fit_measure_scaled(gen *g)
     for (size_t c = 0; c < nov; c++)
         data[c] = (et_vec3){ldexp(data[c].x, e), ldexp(data[c].y, e), ldexp(data[c].z, e)};
     ok = ok && gen_check(g, et_fit_measure(&b, far, nov, &f, data) == ET_OK, "not measured");
-    ok = ok && gen_check(g, b.nov == ldexp(a.nov, e) && b.non == ldexp(a.non, e) && b.greatest == ldexp(a.greatest, e) && b.corner == ldexp(a.corner, e),
+    ok = ok && gen_check(g, b.nov == ldexp(a.nov, e) && b.non == ldexp(a.non, e) && b.greatest == ldexp(a.greatest, e) &&
+            b.corner == ldexp(a.corner, e),
                          "2^%d times: %a, not %a", e, b.nov, ldexp(a.nov, e));
     for (size_t c = 0; ok && c < nov; c++)
         ok = gen_check(g, far[c] == ldexp(near[c], e), "class %zu: %a, not %a", c + 1, far[c], ldexp(near[c], e));

@@ -19,12 +19,14 @@ verdict prop_param_grid_turned(gen *g)
     gen_points(g, &D[0].x, nx * ny);
     for (size_t k = 0; k < nx * ny; k++)
         T[k % ny * nx + k / ny] = D[k];
-    bool ok = gen_check(g, et_param_grid(s, nx, r, ny, &flat, D, method) == ET_OK && et_param_grid(a, ny, b, nx, &turned, T, method) == ET_OK, "not made");
+    bool ok = gen_check(g, et_param_grid(s, nx, r, ny, &flat, D, method) == ET_OK && et_param_grid(a, ny, b, nx, &turned, T, method) == ET_OK,
+            "not made");
     ok = ok && gen_check(g, flat == turned && memcmp(s, b, nx * sizeof *s) == 0 && memcmp(r, a, ny * sizeof *r) == 0, "turned: other parameters");
     for (size_t k = 0; k < nx * ny; k++)
         D[k] = (et_vec3){ldexp(D[k].x, e), ldexp(D[k].y, e), ldexp(D[k].z, e)};
     ok = ok && gen_check(g, et_param_grid(b, nx, a, ny, &far, D, method) == ET_OK && far == flat, "not made");
-    return ok && gen_check(g, memcmp(s, b, nx * sizeof *s) == 0 && memcmp(r, a, ny * sizeof *r) == 0, "2^%d times: other parameters", e) ? PASS : FAIL;
+    return ok && gen_check(g, memcmp(s, b, nx * sizeof *s) == 0 && memcmp(r, a, ny * sizeof *r) == 0, "2^%d times: other parameters",
+            e) ? PASS : FAIL;
 }
 
 /* It does not matter which is first, and once is enough. */

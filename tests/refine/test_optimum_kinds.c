@@ -21,7 +21,8 @@ verdict prop_optimum_defaults_used(gen *g)
     }
     ok = ok && gen_check(g, r[0].value == r[1].value && r[0].lower == r[1].lower && r[0].gap == r[1].gap && r[0].iterations == r[1].iterations,
                          "by default %a to %a, with the defaults %a to %a", r[0].lower, r[0].value, r[1].lower, r[1].value);
-    ok = ok && gen_check(g, memcmp(P[0], P[1], c.n * sizeof **P) == 0 && memcmp(dual[0], dual[1], c.nov * sizeof **dual) == 0, "other control points or duals");
+    ok = ok && gen_check(g, memcmp(P[0], P[1], c.n * sizeof **P) == 0 && memcmp(dual[0], dual[1], c.nov * sizeof **dual) == 0,
+            "other control points or duals");
     optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }

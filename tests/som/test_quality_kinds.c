@@ -6,7 +6,8 @@
 
 enum { SIDE = 5, CLASSES = 2 * SIDE * SIDE, POINTS = 40 };
 
-/* Errors 2^e times as great, the topographic one the same; of points in another order only the mean's roundings differ: 19 of a sum of less than 128. */
+/* Errors 2^e times as great, the topographic one the same; of points in another order only the mean's roundings differ: 19 of a sum of less than
+ * 128. */
 verdict prop_quality_of_scaled(gen *g);
 verdict prop_quality_of_scaled(gen *g)
 {
@@ -29,7 +30,8 @@ verdict prop_quality_of_scaled(gen *g)
     for (size_t k = 0; k < 3 * n; k++)
         (&p[0].x)[k] = ldexp((&p[0].x)[k], e);
     ok = ok && gen_check(g, et_quality_of(&large, w, nov, net, p, n) == ET_OK, "computed");
-    ok = ok && gen_check(g, large.te == q.te && large.qe == ldexp(q.qe, e) && large.min_error == ldexp(q.min_error, e) && large.max_error == ldexp(q.max_error, e),
+    ok = ok && gen_check(g, large.te == q.te && large.qe == ldexp(q.qe, e) && large.min_error == ldexp(q.min_error, e) &&
+            large.max_error == ldexp(q.max_error, e),
                          "2^%d times: qe %a, not %a", e, large.qe, ldexp(q.qe, e));
     return ok ? PASS : FAIL;
 }

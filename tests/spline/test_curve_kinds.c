@@ -2,7 +2,8 @@
 #include "curves.h"
 #include "etalon/spline/curve.h"
 
-/* Coordinates times 2^e and exchanged, weights times 2^w, knots and parameter times 2^f: k-th derivatives times 2^(e - fk), every bit but for underflow. */
+/* Coordinates times 2^e and exchanged, weights times 2^w, knots and parameter times 2^f: k-th derivatives times 2^(e - fk), every bit but for
+ * underflow. */
 verdict prop_curve_ders_scaled(gen *g)
 {
     et_curve c, t;
@@ -40,14 +41,16 @@ verdict prop_curve_ders_scaled(gen *g)
         et_curve_ders(E, d, &t, y, work, n);
     }
     et_vec3 C = point(&c, x), T = point(&t, y);
-    ok = ok && gen_check(g, fabs(T.x - ldexp(C.y, e)) <= 0x1p-600 && fabs(T.z - ldexp(C.x, e)) <= 0x1p-600, "the point: %a, not %a", T.z, ldexp(C.x, e));
+    ok = ok && gen_check(g, fabs(T.x - ldexp(C.y, e)) <= 0x1p-600 && fabs(T.z - ldexp(C.x, e)) <= 0x1p-600, "the point: %a, not %a", T.z, ldexp(C.x,
+            e));
     free(work);
     et_curve_free(&c);
     et_curve_free(&t);
     return ok ? PASS : FAIL;
 }
 
-/* Inserting into, removing from and elevating the curve of points 2^e times as far gives points 2^e times as far, the tolerance being so much greater. */
+/* Inserting into, removing from and elevating the curve of points 2^e times as far gives points 2^e times as far, the tolerance being so much
+ * greater. */
 verdict prop_curve_insert_units(gen *g)
 {
     et_curve c, t, a = {0, 0, NULL, NULL, NULL}, b = {0, 0, NULL, NULL, NULL};
@@ -62,14 +65,16 @@ verdict prop_curve_insert_units(gen *g)
     }
     double x = draw_x(g, &c), tolerance = ldexp(1.0, (int)gen_upto(g, 60) - 50);
     uint64_t kind = gen_upto(g, 2);
-    et_status status = kind == 0 ? et_curve_insert(&a, &c, x, 1) : kind == 1 ? et_curve_elevate(&a, &c, 1) : et_curve_remove(&a, &removed, &c, x, 1, tolerance);
+    et_status status = kind == 0 ? et_curve_insert(&a, &c, x, 1) : kind == 1 ? et_curve_elevate(&a, &c, 1) : et_curve_remove(&a, &removed, &c, x, 1,
+            tolerance);
     et_status again = kind == 0 ? et_curve_insert(&b, &t, x, 1) : kind == 1 ? et_curve_elevate(&b, &t, 1)
                                                                             : et_curve_remove(&b, &same, &t, x, 1, ldexp(tolerance, e));
     bool ok = gen_check(g, status == again && removed == same && a.n == b.n && a.p == b.p, "statuses %d and %d", (int)status, (int)again);
     for (size_t i = 0; ok && status == ET_OK && i < a.n; i++) {
         for (int k = 0; ok && k < 3; k++) {
             double want = ldexp(coordinate(&a.points[i], k), e);
-            ok = gen_check(g, fabs(coordinate(&b.points[i], k) - want) <= 0x1p-600, "control point %zu: %a, not %a", i, coordinate(&b.points[i], k), want);
+            ok = gen_check(g, fabs(coordinate(&b.points[i], k) - want) <= 0x1p-600, "control point %zu: %a, not %a", i, coordinate(&b.points[i], k),
+                    want);
         }
     }
     gen_label(g, status != ET_OK ? "refused" : kind == 0 ? "inserted" : kind == 1 ? "elevated" : removed ? "removed" : "not removed");

@@ -19,14 +19,16 @@ verdict prop_knots_span_turned(gen *g)
 
     ref_draw_knots(g, u, nu, p);
     turn(v, u, nu);
-    bool ok = gen_check(g, et_knots_valid(v, nu, p) == et_knots_valid(u, nu, p) && et_knots_clamped(v, nu, p) == et_knots_clamped(u, nu, p), "valid, clamped");
+    bool ok = gen_check(g, et_knots_valid(v, nu, p) == et_knots_valid(u, nu, p) && et_knots_clamped(v, nu, p) == et_knots_clamped(u, nu, p),
+            "valid, clamped");
     if (!et_knots_valid(u, nu, p)) {
         return ok ? PASS : FAIL;
     }
     double x = gen_parameter(g, u, nu, p);
     size_t right = et_knots_span_side(u, nu, p, x, ET_SIDE_RIGHT), left = et_knots_span_side(u, nu, p, x, ET_SIDE_LEFT);
     ok = ok && gen_check(g, et_knots_multiplicity(v, nu, -x) == et_knots_multiplicity(u, nu, x), "multiplicity of %a", x);
-    ok = ok && gen_check(g, et_knots_span_side(v, nu, p, -x, ET_SIDE_LEFT) == nu - 2 - right && et_knots_span_side(v, nu, p, -x, ET_SIDE_RIGHT) == nu - 2 - left,
+    ok = ok && gen_check(g, et_knots_span_side(v, nu, p, -x, ET_SIDE_LEFT) == nu - 2 - right && et_knots_span_side(v, nu, p, -x,
+            ET_SIDE_RIGHT) == nu - 2 - left,
                          "spans %zu and %zu of %zu knots at %a", left, right, nu, x);
     ok = ok && gen_check(g, et_knots_span(v, nu, p, -x) == nu - 2 - left, "span at %a", x);
     et_knots_greville(G, n, u, nu, p);
@@ -34,7 +36,8 @@ verdict prop_knots_span_turned(gen *g)
     for (size_t i = 0; ok && i < n; i++) {
         /* p + 2 roundings of each. */
         size_t first = p == 0 ? i : i + 1, last = p == 0 ? i + 1 : i + p;
-        ok = gen_check(g, fabs(G[i] + H[n - 1 - i]) <= 2.0 * ((double)p + 4.0) * ET_UNIT * fmax(fabs(u[first]), fabs(u[last])), "Greville point %zu: %a and %a", i,
+        ok = gen_check(g, fabs(G[i] + H[n - 1 - i]) <= 2.0 * ((double)p + 4.0) * ET_UNIT * fmax(fabs(u[first]), fabs(u[last])),
+                "Greville point %zu: %a and %a", i,
                        G[i], H[n - 1 - i]);
     }
     return ok ? PASS : FAIL;
@@ -55,7 +58,8 @@ verdict prop_knots_span_scaled(gen *g)
     }
     double x = gen_parameter(g, u, nu, p), y = ldexp(x, e);
     bool ok = gen_check(g, et_knots_valid(v, nu, p) == 1 && et_knots_clamped(v, nu, p) == et_knots_clamped(u, nu, p), "valid, clamped");
-    ok = ok && gen_check(g, et_knots_span(v, nu, p, y) == et_knots_span(u, nu, p, x) && et_knots_multiplicity(v, nu, y) == et_knots_multiplicity(u, nu, x), "at %a", x);
+    ok = ok && gen_check(g, et_knots_span(v, nu, p, y) == et_knots_span(u, nu, p, x) && et_knots_multiplicity(v, nu, y) == et_knots_multiplicity(u,
+            nu, x), "at %a", x);
     ok = ok && gen_check(g, et_knots_span_side(v, nu, p, y, ET_SIDE_LEFT) == et_knots_span_side(u, nu, p, x, ET_SIDE_LEFT), "from the left at %a", x);
     et_knots_greville(G, n, u, nu, p);
     et_knots_greville(H, n, v, nu, p);

@@ -127,7 +127,8 @@ verdict prop_surface_insert_exchanged(gen *g)
     et_status turned = kind == 0   ? et_surface_insert(&b, &t, ET_ALONG_V, x, 1)
                        : kind == 1 ? et_surface_elevate(&b, &t, ET_ALONG_V, 1)
                                    : et_surface_remove(&b, &again, &t, ET_ALONG_V, x, 1, tolerance);
-    bool ok = gen_check(g, status == turned && removed == again && a.nu == b.nv && a.nv == b.nu && a.p == b.q, "statuses %d and %d", (int)status, (int)turned);
+    bool ok = gen_check(g, status == turned && removed == again && a.nu == b.nv && a.nv == b.nu && a.p == b.q, "statuses %d and %d", (int)status,
+            (int)turned);
     for (size_t k = 0; ok && status == ET_OK && k < a.nu * a.nv; k++) {
         size_t to = k % a.nv * a.nu + k / a.nv;
         ok = gen_check(g, same_point(a.points[k], b.points[to]) && (!a.weights || a.weights[k] == b.weights[to]), "control point %zu", k);
