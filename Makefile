@@ -197,10 +197,14 @@ export AFL_QUIET := 1
 export AFL_DONT_OPTIMIZE := 1
 J := -j$(shell nproc 2> /dev/null || echo 1)
 built: all $(B)/check
+# The builds one after the other with all processors, then as many of the rest at once; the longest first.
 check: deps-test
-	@$(SUM) '$(MAKE) -s $(J) built' '$(MAKE) -s $(J) P=clang built' '$(MAKE) -s $(J) P=asan built' \
-	  '$(MAKE) -s test' '$(MAKE) -s rows' '$(MAKE) -s within' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' '$(MAKE) -s contracts' '$(MAKE) -s audit' '$(MAKE) -s docs' \
-	  'sh tests/install.sh $(BUILD)' 'sh tests/oss-fuzz.sh $(BUILD)/oss-fuzz' 'ET_RUNS=200 $(MAKE) -s P=clang test' 'ET_RUNS=200 $(MAKE) -s asan' '$(MAKE) -s end-to-end' '$(MAKE) -s judged' '$(MAKE) -s faults MOST=12' '$(MAKE) -s bits PARTS="native s390x fault"'
+	@$(SUM) '$(MAKE) -s $(J) built' '$(MAKE) -s $(J) P=clang built' '$(MAKE) -s $(J) P=asan built' '$(MAKE) -s $(J) also' \
+	  "$(SUM) -j $$(nproc 2> /dev/null || echo 1) '$(MAKE) -s test' '$(MAKE) -s bits PARTS=\"native s390x fault\"' '$(MAKE) -s end-to-end' 'ET_RUNS=200 $(MAKE) -s asan' 'ET_RUNS=200 $(MAKE) -s P=clang test' \
+	  '$(MAKE) -s judged' '$(MAKE) -s faults MOST=12' 'sh tests/oss-fuzz.sh $(BUILD)/oss-fuzz' '$(MAKE) -s rows' '$(MAKE) -s within' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' \
+	  '$(MAKE) -s contracts' '$(MAKE) -s audit' '$(MAKE) -s docs' 'sh tests/install.sh $(BUILD)'"
+# What else the tests are made of: built before they run side by side.
+also: $(B)/frozen $(B)/memory $(B)/accuracy $(B)/replay adapters-light
 end-to-end: all
 	@$(SUM) $(foreach s,$(sort $(wildcard tests/cli/*.sh)),'sh $(s) $(B)/etalon')
 
@@ -280,4 +284,4 @@ uninstall:
 	rm -rf $(DESTDIR)$(PREFIX)/share/etalon
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits print-libs fuzz fuzz-min cover covering faults built check end-to-end mutants mutate mutants-self bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean
+.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits print-libs fuzz fuzz-min cover covering faults built also check end-to-end mutants mutate mutants-self bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean
