@@ -4,6 +4,7 @@
 #include "etalon/base/real.h"
 #include "etalon/base/size.h"
 #include "etalon/spline/knots.h"
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -182,7 +183,7 @@ static void put_normal(judge_list *list, const et_vec3 *n, const et_vec3 D[3], c
         sum += e[c];
         along += judge_times(fabs(judge_coordinate(n, c)), e[c]);
     }
-    const double l = cross_length(D[1], D[2]);
+    const double l = fmin(cross_length(D[1], D[2]), DBL_MAX);
     if (!(l > 0x1p10 * sum))
         list->doubt = "the normal can hardly be told from none";
     for (size_t c = 0; c < 3; c++) {
