@@ -127,8 +127,13 @@ code = pty.spawn(sys.argv[1:], keep)
 sys.stdout.buffer.write(shown)
 sys.exit(os.waitstatus_to_exitcode(code) if hasattr(os, 'waitstatus_to_exitcode') else code >> 8)
 P
-python3 terminal.py "$etalon" refine f.json --net n.json --with de --generations 20000 < /dev/null > shown 2> err
-grep -qE '%.*/s.*s left' shown && pass 'progress on a terminal: rate and time left' || fail 'progress on a terminal: rate and time left' "$(head -c 300 shown)"
+name='progress on a terminal: rate and time left'
+if python3 -c 'import os; os.openpty()' 2> err; then
+    python3 terminal.py "$etalon" refine f.json --net n.json --with de --generations 20000 < /dev/null > shown 2> err
+    grep -qE '%.*/s.*s left' shown && pass "$name" || fail "$name" "$(head -c 300 shown)"
+else
+    echo "left out $group $name: $(tail -n 1 err)"
+fi
 "$etalon" refine f.json --net n.json --with de --generations 300 > out 2> err < /dev/null
 grep -q 'left' err && fail 'none off a terminal' || pass 'none off a terminal'
 "$etalon" refine f.json --net n.json --with de --generations 300 --progress -q > out 2> err
