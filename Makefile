@@ -120,7 +120,7 @@ $(B)/fuzzer: $(FUZZO) $(B)/libetalon.a
 # Each prints one line a test and a last line `N passed, N failed`; sum.sh adds them up.
 SUM := sh tests/sum.sh
 test: $(B)/check $(if $(VECTORS),$(B)/frozen)
-	@$(SUM) '$(B)/check' $(if $(CORPUS),'$(B)/check --replay $(CORPUS)') $(if $(ROWS),'$(B)/check --golden $(ROWS)') \
+	@$(SUM) -j 2 '$(B)/check' $(if $(CORPUS),'$(B)/check --replay $(CORPUS)') $(if $(ROWS),'$(B)/check --golden $(ROWS)') \
 	  $(if $(ROWS),$(if $(filter exact,$(ROOMS)),'$(B)/check --truth $(ROWS)')) $(if $(VECTORS),'$(B)/frozen $(VECTORS)')
 harness:
 	@$(SUM) 'sh tests/harness.sh $(BUILD)/harness $(CC_release)' 'sh tests/harness/rooms.sh $(BUILD)/harness $(CC_release)'
