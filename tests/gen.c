@@ -1,4 +1,5 @@
 /* gen: draws, and the typed generators made of them. */
+#include "ascending.h"
 #include "source.h"
 #include <math.h>
 #include <stdarg.h>
@@ -276,16 +277,6 @@ static double inner_knot(gen *g, const double *u, size_t first, size_t i)
     return (double)gen_between(g, 1, (UINT64_C(1) << 20) - 1) / 0x1p20;
 }
 
-static void sort(double *x, size_t n)
-{
-    for (size_t i = 1; i < n; i++)
-        for (size_t j = i; j > 0 && x[j] < x[j - 1]; j--) {
-            const double t = x[j];
-            x[j] = x[j - 1];
-            x[j - 1] = t;
-        }
-}
-
 /* No interior knot more than p times (the curve stays continuous), all strictly inside (0,1); false when there is no room. */
 static bool spread(double *u, size_t first, size_t last, size_t p)
 {
@@ -331,7 +322,7 @@ void gen_knots(gen *g, double *u, size_t nu, size_t p)
             u[i] = inner_knot(g, u, first, i);
             end(g, at);
         }
-        sort(u + first, last - first);
+        ascending(u + first, last - first);
         uniform = !spread(u, first, last, p);
     }
     for (size_t i = first; uniform && i < last; i++)

@@ -1,4 +1,5 @@
 /* Least squares in one dense matrix of rationals, from Cox and de Boor's recursion as it is written, and rounded: the judge of et_exact_fit_solve. */
+#include "ascending.h"
 #include "etalon/spline/knots.h"
 #include "exact/exact_fit_parts.h"
 #include "exact/live.h"
@@ -22,16 +23,6 @@ typedef struct {
     double s[2][SIDE], r[2][SIDE], u[2][KNOTS], v[2][KNOTS];
     et_vec3 P[2][NODES];
 } problem;
-
-static void ascending(double *t, size_t n)
-{
-    for (size_t i = 1; i < n; i++)
-        for (size_t j = i; j > 0 && t[j] < t[j - 1]; j--) {
-            const double x = t[j];
-            t[j] = t[j - 1];
-            t[j - 1] = x;
-        }
-}
 
 /* Parameters from 0 to 1, and knots that suit them, or do not, or fall on an end. */
 static void draw_direction(gen *g, double *t, size_t n, double *u, size_t control, size_t p)

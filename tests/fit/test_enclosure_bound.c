@@ -1,5 +1,6 @@
 /* The terms of an enclosure one by one: what a verified system and its columns say is compared with the formulas of their headers, computed in
  * rationals from the factors at hand.  A term that is missing, or less than it says, is seen even where rounding errors leave room. */
+#include "ascending.h"
 #include "etalon/base/real.h"
 #include "fit/enclosure_parts.h"
 #include "gen.h"
@@ -79,16 +80,6 @@ static void forget(arf_ptr x, size_t n)
 
 /* ---- a system ---- */
 
-static void sort(double *x, size_t n)
-{
-    for (size_t i = 1; i < n; i++)
-        for (size_t j = i; j > 0 && x[j] < x[j - 1]; j--) {
-            const double t = x[j];
-            x[j] = x[j - 1];
-            x[j - 1] = t;
-        }
-}
-
 /* A direction of full rank, or false. */
 static bool any_direction(gen *g, enclosure_system *s, size_t most)
 {
@@ -98,7 +89,7 @@ static bool any_direction(gen *g, enclosure_system *s, size_t most)
     gen_knots(g, u, n + p + 1, p);
     for (size_t i = 0; i < m; i++)
         t[i] = i == 0 ? 0 : i + 1 == m ? 1 : gen_real(g, 0, 1);
-    sort(t, m);
+    ascending(t, m);
     if (enclosure_rank(u, n, p, t, m, 0) < n || enclosure_direction(s, t, m, u, n, p, 0) != ET_OK)
         return false;
     if (s->relative == 26 * (double)p * 0x1p-106 && s->tall == m && s->width == p + 1)
