@@ -18,11 +18,15 @@ typedef struct {
  * parameters, so that control points stay undetermined; loose: the parameters do not reach the ends. */
 typedef enum { TAME, STEEP, BARE, LOOSE } optimum_state;
 
+/* Everything 0 but the sizes; false where there is no room. */
+bool optimum_case_new(optimum_case *c, size_t p, size_t q, et_doublenet control, et_doublenet data);
 bool optimum_case_draw(gen *g, optimum_case *c, optimum_state state);
 void optimum_case_end(optimum_case *c);
 /* The top view's knots and parameters from the bottom's, control points from start. */
 void optimum_case_close(optimum_case *c);
 
+/* n + p + 1 knots, clamped on [0, 1], spans alike. */
+void optimum_case_even(double *u, size_t n, size_t p);
 /* n + p + 1 knots, clamped or not, tiny spans and full multiplicity often. */
 void optimum_case_knots(gen *g, double *u, size_t n, size_t p);
 /* nt parameters in order: from end to end and even (0), pushed together (1), anywhere, knots and repeated ones often (2). */

@@ -1,14 +1,8 @@
+#include "ascending.h"
 #include "refine/optimum_cases.h"
+#include "refine/some_fit.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
-
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
 
 void optimum_case_knots(gen *g, double *u, size_t n, size_t p)
 {
@@ -41,29 +35,20 @@ void optimum_case_parameters(gen *g, double *t, size_t nt, const double *u, size
                                 : gen_parameter(g, u, n + p + 1, p);
     for (size_t i = 0; i < nt && from < b; i++)     /* all behind one knot */
         t[i] = from + (b - from) * ((double)(i + 1) / (double)(nt + 1));
-    qsort(t, nt, sizeof *t, compare);
+    ascending(t, nt);
     if (kind < 2) {
         t[0] = a;
         t[nt - 1] = b;
     }
 }
 
-static bool allocate(optimum_case *c, size_t p, size_t q, et_doublenet control, et_doublenet data)
+bool optimum_case_new(optimum_case *c, size_t p, size_t q, et_doublenet control, et_doublenet data)
 {
     memset(c, 0, sizeof *c);
-    c->fit.data = data;
     c->control = control;
     c->nov = et_doublenet_nov(data);
     c->n = et_doublenet_nov(control);
-    if (et_shell_new(&c->fit.shell, p, q, control, 0) != ET_OK)
-        return false;
-    for (size_t w = 0; w < 2; w++) {
-        c->fit.s[w] = calloc(data.nx, sizeof(double));
-        c->fit.r[w] = calloc(data.ny, sizeof(double));
-        if (!c->fit.s[w] || !c->fit.r[w])
-            return false;
-    }
-    return true;
+    return some_fit_new(&c->fit, p, q, control, data);
 }
 
 static et_vec3 some_point(gen *g)
@@ -73,12 +58,7 @@ static et_vec3 some_point(gen *g)
 
 void optimum_case_close(optimum_case *c)
 {
-    et_surface *const a = &c->fit.shell.view[ET_BOTTOM], *const b = &c->fit.shell.view[ET_TOP];
-
-    memcpy(b->u, a->u, (a->nu + a->p + 1) * sizeof *a->u);
-    memcpy(b->v, a->v, (a->nv + a->q + 1) * sizeof *a->v);
-    memcpy(c->fit.s[ET_TOP], c->fit.s[ET_BOTTOM], c->fit.data.nx * sizeof(double));
-    memcpy(c->fit.r[ET_TOP], c->fit.r[ET_BOTTOM], c->fit.data.ny * sizeof(double));
+    some_fit_share(&c->fit);
     et_shell_scatter(&c->fit.shell, c->start, c->n);
 }
 
@@ -87,7 +67,7 @@ void optimum_case_end(optimum_case *c)
     et_fit_free(&c->fit);
 }
 
-static void even_knots(double *u, size_t n, size_t p)
+void optimum_case_even(double *u, size_t n, size_t p)
 {
     for (size_t k = 0; k < n + p + 1; k++)
         u[k] = k <= p ? 0 : k >= n ? 1 : (double)(k - p) / (double)(n - p);
@@ -102,10 +82,10 @@ bool optimum_case_draw(gen *g, optimum_case *c, optimum_state state)
     const size_t kind = state == TAME ? 0 : state == STEEP ? 1 + gen_upto(g, 2) : 0;
     et_surface *const s = &c->fit.shell.view[ET_BOTTOM];
 
-    if (!allocate(c, p, q, control, data))
+    if (!optimum_case_new(c, p, q, control, data))
         return false;
-    even_knots(s->u, s->nu, p);
-    even_knots(s->v, s->nv, q);
+    optimum_case_even(s->u, s->nu, p);
+    optimum_case_even(s->v, s->nv, q);
     if (wild && gen_chance(g, 2)) {
         optimum_case_knots(g, s->u, s->nu, p);
         optimum_case_knots(g, s->v, s->nv, q);
