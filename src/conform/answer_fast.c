@@ -31,6 +31,23 @@ static et_side side(const et_request_value *word)
     return word->count == JUDGE_LEFT ? ET_SIDE_LEFT : ET_SIDE_RIGHT;
 }
 
+/* Curve and surface of a request that has an answer: it is of its kind, and valid (judge_valid asks for more). */
+static et_curve curve_of(const et_request *request)
+{
+    et_curve c = { 0, 0, NULL, NULL, NULL };
+
+    (void)et_request_curve(&c, request, 0);
+    return c;
+}
+
+static et_surface surface_of(const et_request *request, size_t k)
+{
+    et_surface s = { 0, 0, 0, 0, NULL, NULL, NULL, NULL };
+
+    (void)et_request_surface(&s, request, k);
+    return s;
+}
+
 /* ---- basis functions ---- */
 
 /* The p + 1 functions of a row among zeros. */
@@ -93,15 +110,12 @@ static et_status curve_points(et_reply *reply, const et_request *request)
 {
     const size_t d = request->op == ET_OP_CURVE_DERS ? request->arg[6].count : 0;
     const double x = request->arg[4].x[0];
-    et_curve c;
-    et_status status = et_request_curve(&c, request, 0);
-
-    if (status != ET_OK || !et_curve_valid(&c))
-        return ET_EINVAL;
+    const et_curve c = curve_of(request);
     const size_t nwork = et_curve_work(&c, d);
     double *work = et_size_array(nwork, sizeof *work);
     et_vec3 *D = et_size_array(d + 1, sizeof *D);
-    status = work && D ? ET_OK : ET_ENOMEM;
+    et_status status = work && D ? ET_OK : ET_ENOMEM;
+
     if (status == ET_OK && request->op == ET_OP_CURVE_POINT && side(&request->arg[5]) == ET_SIDE_RIGHT)
         *D = et_curve_point(&c, x, work, nwork);
     else if (status == ET_OK)
@@ -131,15 +145,11 @@ static et_status evaluate(et_vec3 *D, const et_surface *s, const et_request *req
 static et_status surface_points(et_reply *reply, const et_request *request)
 {
     const size_t d = request->op == ET_OP_SURFACE_DERS ? request->arg[10].count : 0, n = (d + 1) * (d + 2) / 2;
-    et_surface s;
-    et_status status = et_request_surface(&s, request, 0);
-
-    if (status != ET_OK || !et_surface_valid(&s))
-        return ET_EINVAL;
+    const et_surface s = surface_of(request, 0);
     const size_t room[2] = { et_surface_work(&s), et_surface_partials_work(&s, d > 0 ? d : 1) }, nwork = room[0] > room[1] ? room[0] : room[1];
     double *work = et_size_array(nwork, sizeof *work);
     et_vec3 *D = et_size_array(n, sizeof *D);
-    status = work && D ? evaluate(D, &s, request, d, work, nwork) : ET_ENOMEM;
+    et_status status = work && D ? evaluate(D, &s, request, d, work, nwork) : ET_ENOMEM;
     if (status == ET_OK)
         status = put_points(reply, D, n);
     free(work);
@@ -157,15 +167,13 @@ et_status answer_point(et_reply *reply, const et_request *request)
 static et_status edit_curve(et_reply *reply, const et_request *request)
 {
     const et_request_value *a = request->arg + 4;
+    const et_curve c = curve_of(request);
     size_t removed = 0;
-    et_curve c, made;
-    et_status status = et_request_curve(&c, request, 0);
+    et_curve made;
+    et_status status = request->op == ET_OP_CURVE_INSERT  ? et_curve_insert(&made, &c, a[0].x[0], a[1].count)
+                     : request->op == ET_OP_CURVE_ELEVATE ? et_curve_elevate(&made, &c, a[0].count)
+                                                          : et_curve_remove(&made, &removed, &c, a[0].x[0], a[1].count, a[2].x[0]);
 
-    if (status != ET_OK || !et_curve_valid(&c))
-        return ET_EINVAL;
-    status = request->op == ET_OP_CURVE_INSERT  ? et_curve_insert(&made, &c, a[0].x[0], a[1].count)
-           : request->op == ET_OP_CURVE_ELEVATE ? et_curve_elevate(&made, &c, a[0].count)
-                                                : et_curve_remove(&made, &removed, &c, a[0].x[0], a[1].count, a[2].x[0]);
     if (status != ET_OK)
         return status;
     if (request->op == ET_OP_CURVE_REMOVE)
@@ -180,15 +188,13 @@ static et_status edit_surface(et_reply *reply, const et_request *request)
 {
     const et_request_value *a = request->arg + 7;
     const et_direction along = request->arg[6].count == 0 ? ET_ALONG_U : ET_ALONG_V;
+    const et_surface s = surface_of(request, 0);
     size_t removed = 0;
-    et_surface s, made;
-    et_status status = et_request_surface(&s, request, 0);
+    et_surface made;
+    et_status status = request->op == ET_OP_SURFACE_INSERT  ? et_surface_insert(&made, &s, along, a[0].x[0], a[1].count)
+                     : request->op == ET_OP_SURFACE_ELEVATE ? et_surface_elevate(&made, &s, along, a[0].count)
+                                                            : et_surface_remove(&made, &removed, &s, along, a[0].x[0], a[1].count, a[2].x[0]);
 
-    if (status != ET_OK || !et_surface_valid(&s))
-        return ET_EINVAL;
-    status = request->op == ET_OP_SURFACE_INSERT  ? et_surface_insert(&made, &s, along, a[0].x[0], a[1].count)
-           : request->op == ET_OP_SURFACE_ELEVATE ? et_surface_elevate(&made, &s, along, a[0].count)
-                                                  : et_surface_remove(&made, &removed, &s, along, a[0].x[0], a[1].count, a[2].x[0]);
     if (status != ET_OK)
         return status;
     if (request->op == ET_OP_SURFACE_REMOVE)
@@ -302,14 +308,11 @@ static et_status surface_error(et_reply *reply, const et_request *request)
     const et_request_value *a = request->arg;
     const size_t n = a[8].count;
     const double unit = unit_of(fmax(greatest(a[4].x, 3 * a[4].count), greatest(a[8].x, 3 * n)));
+    const et_surface s = surface_of(request, 0);
     double *d = et_size_array(n, sizeof *d);
-    et_surface s, t;
-    et_status status = et_request_surface(&s, request, 0);
+    et_surface t;
+    et_status status = d ? scaled(&t, &s, unit) : ET_ENOMEM;
 
-    if (status != ET_OK || !et_surface_valid(&s))
-        status = ET_EINVAL;
-    else
-        status = d ? scaled(&t, &s, unit) : ET_ENOMEM;
     if (status == ET_OK) {
         status = distances(d, &t, a, unit);
         et_surface_free(&t);
@@ -326,15 +329,11 @@ static et_status seam_gap(et_reply *reply, const et_request *request)
 {
     const et_request_value *a = request->arg;
     const double unit = unit_of(fmax(greatest(a[4].x, 3 * a[4].count), greatest(a[10].x, 3 * a[10].count)));
+    const et_surface s = surface_of(request, 0), t = surface_of(request, 6);
     et_shell shell;
-    et_surface s, t;
     et_seam gap;
-    et_status status = et_request_surface(&s, request, 0);
+    et_status status = scaled(&shell.view[0], &s, unit);
 
-    if (status == ET_OK)
-        status = et_request_surface(&t, request, 6);
-    if (status == ET_OK)
-        status = scaled(&shell.view[0], &s, unit);
     if (status != ET_OK)
         return status;
     status = scaled(&shell.view[1], &t, unit);

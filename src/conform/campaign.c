@@ -92,7 +92,7 @@ int campaign_at(const et_request *request, size_t axis)
 size_t campaign_arguments(et_request_op op)
 {
     size_t n = 0;
-    while (n < ET_REQUEST_ARGS && et_request_argument(op, n)) {
+    while (et_request_argument(op, n)) {
         n++;
     }
     return n;
@@ -287,8 +287,8 @@ et_status et_campaign_draw(et_request *request, et_request_op op, et_category ca
     for (uint64_t k = 0; k < 2 * ATTEMPTS && status == ET_EINVAL; k++) {
         status = et_request_new(&made, op);
         if (status == ET_OK) {
-            /* Where the tolerance of knots leaves nothing of the category, a plain one comes instead. */
-            status = attempt_draw(&m, k < ATTEMPTS || category == ET_CATEGORY_BAD_INPUT ? category : ET_CATEGORY_PLAIN, seed, k);
+            /* Where the tolerance of knots leaves nothing of the category, a plain one comes instead; of bad input the first is taken. */
+            status = attempt_draw(&m, k < ATTEMPTS ? category : ET_CATEGORY_PLAIN, seed, k);
             status = status == ET_OK && category != ET_CATEGORY_BAD_INPUT && !campaign_offered(&made, hello) ? ET_EINVAL : status;
             if (status != ET_OK) {
                 et_request_free(&made);

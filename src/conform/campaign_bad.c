@@ -8,13 +8,12 @@ static et_request_value *value(campaign_maker *m, int k)
     return &m->request->arg[k];
 }
 
+/* What is spoiled is there (`applies`), and a plain case has one knot, point and site at least.  1: the request is invalid; 0: it need not be. */
+
 /* The argument gets n numbers (or points): those it has, without the last or with the first again. */
 static int resize(campaign_maker *m, int k, size_t n, size_t width)
 {
     const et_request_value *v = value(m, k);
-    if (v->count == 0) {
-        return 0;
-    }
     double *x = campaign_array(m, n * width);
     for (size_t i = 0; i < n * width; i++) {
         x[i] = v->x[i % (v->count * width)];
@@ -32,9 +31,6 @@ static double broken(campaign_maker *m)
 /* One of the numbers becomes NaN or infinite. */
 static int spoil_list(campaign_maker *m, int k, size_t width)
 {
-    if (k < 0 || value(m, k)->count == 0) {
-        return 0;
-    }
     const size_t i = campaign_pick(m, value(m, k)->count * width);
     value(m, k)->x[i] = broken(m);
     return 1;
@@ -42,63 +38,51 @@ static int spoil_list(campaign_maker *m, int k, size_t width)
 
 static int one_number(campaign_maker *m, int k)
 {
-    if (k < 0) {
-        return 0;
-    }
     value(m, k)->x[0] = broken(m);
     return 1;
 }
 
-/* Two different knots change places. */
+/* Two different knots change places: the first and the last differ, so there are such. */
 static int decrease(campaign_maker *m, int k)
 {
     et_request_value *u = value(m, k);
     const size_t i = campaign_pick(m, u->count);
-    for (size_t n = 1; n < u->count; n++) {
-        const size_t j = (i + n) % u->count, a = i < j ? i : j, b = i < j ? j : i;
-        if (u->x[a] < u->x[b]) {
-            const double x = u->x[a];
-            u->x[a] = u->x[b];
-            u->x[b] = x;
-            return 1;
-        }
+    size_t j = (i + 1) % u->count;
+    while (u->x[j] == u->x[i]) {
+        j = (j + 1) % u->count;
     }
-    return 0;
+    const double x = u->x[i];
+    u->x[i] = u->x[j];
+    u->x[j] = x;
+    return 1;
 }
 
 /* No domain. */
 static int empty(campaign_maker *m, const campaign_axis *a)
 {
     et_request_value *u = value(m, a->knots);
-    for (size_t i = 0; i < u->count && a->degree >= 0; i++) {
+    for (size_t i = 0; i < u->count; i++) {
         u->x[i] = u->x[0];
     }
-    return a->degree >= 0;
+    return 1;
 }
 
 static int fewer_knots(campaign_maker *m, const campaign_axis *a)
 {
-    const size_t p = a->degree >= 0 ? value(m, a->degree)->count : 0;
-    return a->degree >= 0 && resize(m, a->knots, campaign_pick(m, 2) ? 2 * p + 1 : p, 1);
+    const size_t p = value(m, a->degree)->count;
+    return resize(m, a->knots, campaign_pick(m, 2) ? 2 * p + 1 : p, 1);
 }
 
 /* A point more or less than the knots say: of the net, or of the data. */
 static int other_number(campaign_maker *m, int k)
 {
-    /* Any number of points can be parameterised. */
-    if (k < 0 || m->op == ET_OP_PARAMETERS) {
-        return 0;
-    }
     const size_t n = value(m, k)->count, more = campaign_pick(m, 2);
     return resize(m, k, more || n == 1 ? n + 1 : n - 1, 3);
 }
 
 static int bad_weight(campaign_maker *m, int net)
 {
-    if (net < 0) {
-        return 0;
-    }
-    const size_t n = value(m, net)->count;
+    const size_t n = value(m, net)->count;      /* 2 or more */
     double *w = campaign_array(m, n + 1);
     for (size_t k = 0; k <= n; k++) {
         w[k] = 1.0;
@@ -107,7 +91,7 @@ static int bad_weight(campaign_maker *m, int net)
     const size_t i = campaign_pick(m, n);
     w[i] = kind < 2 ? -1.0 : kind == 2 ? broken(m) : 1.0;
     campaign_list(m, net + 1, w, kind < 3 ? n : campaign_pick(m, 2) ? n + 1 : n - 1);
-    return kind < 3 || value(m, net + 1)->count > 0;
+    return 1;
 }
 
 /* An edit that cannot be made. */
@@ -117,9 +101,6 @@ static int bad_edit(campaign_maker *m)
     const size_t axis = l->along >= 0 ? value(m, l->along)->count : 0;
     const int at = campaign_at(m->request, axis);
     const campaign_axis *a = &l->axis[axis];
-    if (l->times < 0 || at < 0) {
-        return 0;
-    }
     const size_t p = value(m, a->degree)->count, kind = campaign_pick(m, 4);
     const et_request_value *u = value(m, a->knots);
     const double lo = u->x[p], hi = u->x[u->count - 1 - p];
@@ -129,7 +110,7 @@ static int bad_edit(campaign_maker *m)
         *x = campaign_pick(m, 2) ? hi + (hi - lo) : lo - (hi - lo);
     } else if (l->tolerance >= 0) {
         *x = kind == 1 ? lo : kind == 2 ? hi : campaign_inside(m, &b);
-        for (size_t k = 0; kind == 3 && k < 100 && campaign_multiplicity(&b, *x) > 0; k++) {
+        while (kind == 3 && campaign_multiplicity(&b, *x) > 0) {
             *x = campaign_real(m, lo, hi);
         }
     } else if (kind == 1) {
@@ -137,18 +118,12 @@ static int bad_edit(campaign_maker *m)
     } else {
         campaign_count(m, l->times, p + 2 - campaign_multiplicity(&b, *x) + campaign_pick(m, 2));
     }
-    if (value(m, l->times)->count == 0) {
-        campaign_count(m, l->times, 1);
-    }
     return 1;
 }
 
 /* Sites: outside, broken, or of another number. */
 static int bad_sites(campaign_maker *m, const campaign_axis *a, size_t kind)
 {
-    if (a->sites < 0 || a->knots < 0) {
-        return 0;
-    }
     et_request_value *t = value(m, a->sites);
     const et_request_value *u = value(m, a->knots);
     const double lo = u->x[0], hi = u->x[u->count - 1];
@@ -173,11 +148,11 @@ static int bad_counts(campaign_maker *m, size_t kind)
         return 1;
     case ET_OP_KNOTS: {
         enum { PIEGL, AVERAGING, FAITHFUL, UNIFORM };
-        const size_t p = value(m, 1)->count, n = value(m, 2)->count;
+        const size_t p = value(m, 1)->count;
         if (kind % 4 == 0) {
             campaign_count(m, 2, p);                                              /* n <= p */
         } else if (kind % 4 == 1 && nx != UNIFORM) {
-            campaign_count(m, 2, value(m, 3)->count + 1 > p ? value(m, 3)->count + 1 : n);       /* more control points than parameters */
+            campaign_count(m, 2, value(m, 3)->count + 1);                         /* more control points than parameters */
         } else if (kind % 4 == 2) {
             return spoil_list(m, 3, 1);
         } else {
@@ -213,7 +188,7 @@ static int applies(const campaign_maker *m, fault kind)
     case EDIT: return l->times >= 0 && m->op != ET_OP_CURVE_ELEVATE && m->op != ET_OP_SURFACE_ELEVATE;
     case KNOTS: case EMPTY: return degree;
     case DATUM: return l->data >= 0;
-    case DATA: return l->data >= 0 && m->op != ET_OP_PARAMETERS;
+    case DATA: return l->data >= 0 && m->op != ET_OP_PARAMETERS;       /* any number of points can be parameterised */
     case SITES: return knots && l->axis[0].sites >= 0;
     default: return m->op >= ET_OP_PARAMETERS && m->op != ET_OP_CURVE_NEAREST && m->op != ET_OP_SURFACE_NEAREST && m->op != ET_OP_SURFACE_ERROR &&
                     m->op != ET_OP_SEAM_GAP;
@@ -252,7 +227,7 @@ void campaign_spoil(campaign_maker *m)
             kinds[n++] = (fault)k;
         }
     }
-    for (size_t k = 0; k < 4 * n && !done && m->status == ET_OK; k++) {
+    for (size_t k = 0; !done; k++) {       /* every operation has a kind that never returns 0 */
         done = spoil(m, kinds[(size_t)((m->number + k) % n)]);
     }
 }

@@ -155,7 +155,7 @@ void campaign_relate_removed(campaign_relation *r)
     }
     const size_t times = r->told->arg[5].count, p = r->told->arg[0].count;
     const double tolerance = 0x1p-30 * campaign_size(r->told, 2);
-    if (!r->hello->op[ET_OP_CURVE_REMOVE] || times == 0 || times > p) {
+    if (!r->hello->op[ET_OP_CURVE_REMOVE] || times > p) {
         campaign_decide(r, ET_VERDICT_UNSUPPORTED, "");
     }
     if (!campaign_asked(r, &inserted, r->told, SIZE_MAX)) {

@@ -257,14 +257,14 @@ static size_t times(const et_request_value *u, double x)
     return n;
 }
 
-/* An inner knot of an axis that is there p times at most; 0 if there is none. */
+/* An inner knot of a valid curve that is there p times at most; 0 if there is none. */
 static int smooth_knot(campaign_relation *r, double *x)
 {
     const et_request_value *u = &r->told->arg[1];
     const size_t p = r->told->arg[0].count, n = u->count - p - 1;
     int found = 0;
     for (size_t i = p + 1; i < n; i++) {
-        if (u->x[i] > u->x[p] && u->x[i] < u->x[n] && times(u, u->x[i]) <= p && (!found || et_rng_index(r->rng, 2))) {
+        if (times(u, u->x[i]) <= p && (!found || et_rng_index(r->rng, 2))) {
             *x = u->x[i];
             found = 1;
         }
@@ -304,7 +304,7 @@ void campaign_relate_limits(campaign_relation *r)
     et_request_free(&q);
 }
 
-/* With x = u_k < u_k+1: as many knots up to number k equal x as multiplicity says. */
+/* With x = u_k < u_k+1, a knot before the end of the domain: as many knots up to number k equal x as multiplicity says. */
 void campaign_relate_spans(campaign_relation *r)
 {
     et_request q = {ET_OPS, {{0, NULL}}};                 /* that it may be freed when it could not be made */
@@ -316,9 +316,6 @@ void campaign_relate_spans(campaign_relation *r)
     const double *u = r->told->arg[1].x, x = u[p + et_rng_index(r->rng, nu - 2 * p - 1)];
     r->told->arg[2].x[0] = x;
     campaign_fail(r, et_request_new(&q, ET_OP_MULTIPLICITY));
-    if (r->status != ET_OK) {
-        return;
-    }
     campaign_fail(r, et_request_set(&q, 0, nu, u));
     campaign_fail(r, et_request_set(&q, 1, 1, &x));
     if (campaign_asked(r, &span, r->told, 1)) {
@@ -327,11 +324,7 @@ void campaign_relate_spans(campaign_relation *r)
             for (size_t i = 0; i < nu; i++) {
                 upto += (double)i <= span.x[0] && u[i] == x;
             }
-            if (x < u[nu - p - 1]) {
-                campaign_compare(r, 0, count.x[0], (double)upto, 0.0);
-            } else {                                       /* the last span that is not empty */
-                campaign_compare(r, 0, span.x[0] >= 0.0 && span.x[0] + 1.0 < (double)nu ? u[(size_t)span.x[0] + 1] : HUGE_VAL, x, 0.0);
-            }
+            campaign_compare(r, 0, count.x[0], (double)upto, 0.0);
             et_reply_free(&count);
         }
         et_reply_free(&span);
@@ -351,16 +344,13 @@ void campaign_relate_greville(campaign_relation *r)
     }
     const size_t p = r->told->arg[0].count;
     campaign_fail(r, et_request_new(&q, ET_OP_GREVILLE));
-    if (r->status != ET_OK) {
-        return;
-    }
     campaign_fail(r, et_request_set(&q, 0, p, NULL));
     campaign_fail(r, et_request_set(&q, 1, r->told->arg[1].count, r->told->arg[1].x));
     campaign_fail(r, et_request_set(r->told, 3, 0, NULL));
     double *a = p > 0 ? campaign_bounds(r, &n, &q) : NULL;
     if (a && campaign_asked(r, &g, &q, n)) {
         double worst = 0.0;
-        for (size_t i = 0; i < n && 3 * i < 3 * r->told->arg[2].count; i++) {
+        for (size_t i = 0; i < n; i++) {
             r->told->arg[2].x[3 * i] = g.x[i];
             r->told->arg[2].x[3 * i + 1] = r->told->arg[2].x[3 * i + 2] = 0.0;
             worst = fmax(worst, a[i]);

@@ -208,16 +208,12 @@ void campaign_relate_normal(campaign_relation *r, et_request_op op)
     if (op == ET_OP_FIT_GRID) {
         r->told->arg[0].count = 0;                       /* free corners */
     }
-    int ok = 1;
     double *own[2] = {NULL, NULL};
     for (size_t k = 0; k < l->axes; k++) {
         w.p[k] = r->told->arg[l->axis[k].degree].count;
         w.n[k] = controls(r->told, k);
         w.N[k] = own[k] = et_size_array(w.p[k] + 1, sizeof(double));
-        ok = ok && own[k] && et_knots_valid(r->told->arg[l->axis[k].knots].x, r->told->arg[l->axis[k].knots].count, w.p[k]);
-    }
-    if (!ok) {
-        campaign_decide(r, ET_VERDICT_UNSUPPORTED, "");
+        campaign_fail(r, own[k] ? ET_OK : ET_ENOMEM);
     }
     double *bound = campaign_bounds(r, &n, r->told);
     if (bound && campaign_asked(r, &X, r->told, n)) {
@@ -333,7 +329,7 @@ void campaign_relate_seam(campaign_relation *r)
     const size_t nx = controls(r->told, 0), ny = controls(r->told, 1);
     const et_request_value *P = &r->told->arg[4];
     et_request_value *Q = &r->told->arg[10];
-    for (size_t i = 0; i < P->count && Q->count == P->count; i++) {
+    for (size_t i = 0; i < P->count; i++) {
         if (i / ny == 0 || i / ny + 1 == nx || i % ny == 0 || i % ny + 1 == ny) {
             memcpy(Q->x + 3 * i, P->x + 3 * i, 3 * sizeof *P->x);
         }
@@ -346,35 +342,35 @@ void campaign_relate_seam(campaign_relation *r)
     free(bound);
 }
 
-/* A point of the curve or surface, at x: evaluated here, with an error far below what a nearest point may be off. */
-static int on_it(campaign_relation *r, double P[3], double x, double y)
+static et_vec3 point_of_curve(campaign_relation *r, const et_curve *c, double x)
 {
-    const et_request *q = r->told;
+    et_vec3 C = {0.0, 0.0, 0.0};
+    const size_t room = et_curve_work(c, 0);
+    double *work = et_size_array(room, sizeof *work);
+    if (work) {
+        C = et_curve_point(c, x, work, room);
+    }
+    campaign_fail(r, work ? ET_OK : ET_ENOMEM);
+    free(work);
+    return C;
+}
+
+/* A point of the curve or surface of the request, which is valid, at x: evaluated here, with an error far below what a nearest point may be off. */
+static void on_it(campaign_relation *r, double P[3], double x, double y)
+{
     et_vec3 S;
-    if (q->op == ET_OP_SURFACE_NEAREST) {
-        et_surface s;
-        if (et_request_surface(&s, q, 0) != ET_OK || !et_surface_valid(&s)) {
-            return 0;
-        }
+    if (r->told->op == ET_OP_SURFACE_NEAREST) {
+        et_surface s = {0, 0, 0, 0, NULL, NULL, NULL, NULL};
+        (void)et_request_surface(&s, r->told, 0);
         S = point(r, &s, x, y);
     } else {
-        et_curve c;
-        if (et_request_curve(&c, q, 0) != ET_OK || !et_curve_valid(&c)) {
-            return 0;
-        }
-        const size_t room = et_curve_work(&c, 0);
-        double *work = et_size_array(room, sizeof *work);
-        if (!work) {
-            campaign_fail(r, ET_ENOMEM);
-            return 0;
-        }
-        S = et_curve_point(&c, x, work, room);
-        free(work);
+        et_curve c = {0, 0, NULL, NULL, NULL};
+        (void)et_request_curve(&c, r->told, 0);
+        S = point_of_curve(r, &c, x);
     }
     P[0] = S.x;
     P[1] = S.y;
     P[2] = S.z;
-    return 1;
 }
 
 void campaign_relate_nearest(campaign_relation *r, et_request_op op)
@@ -391,19 +387,15 @@ void campaign_relate_nearest(campaign_relation *r, et_request_op op)
         const double lo = u->x[0], hi = u->x[u->count - 1];
         x[k] = campaign_clamp(lo, lo + (hi - lo) * et_rng_uniform(r->rng), hi);
     }
-    if (!on_it(r, P, x[0], x[1])) {
-        campaign_decide(r, ET_VERDICT_UNSUPPORTED, "");
-        return;
-    }
+    on_it(r, P, x[0], x[1]);
     campaign_fail(r, et_request_set(r->told, (size_t)l->data, 1, P));
     const double size = campaign_size(r->told, l->net[0]), tolerance = 2.0 * sqrt(ET_UNIT) * size;
     if (campaign_asked(r, &found, r->told, l->axes + 1)) {
         double Q[3];
         campaign_compare(r, l->axes, found.x[l->axes], 0.0, tolerance);
-        if (on_it(r, Q, found.x[0], found.x[1])) {
-            for (size_t c = 0; c < 3; c++) {
-                campaign_compare(r, c, Q[c], P[c], 2.0 * tolerance);
-            }
+        on_it(r, Q, found.x[0], found.x[1]);
+        for (size_t c = 0; c < 3; c++) {
+            campaign_compare(r, c, Q[c], P[c], 2.0 * tolerance);
         }
         et_reply_free(&found);
     }
@@ -419,9 +411,6 @@ void campaign_relate_net(campaign_relation *r)
         return;
     }
     campaign_fail(r, et_request_new(&q, ET_OP_NET_CLASS));
-    if (r->status != ET_OK) {
-        return;
-    }
     const size_t nx = r->told->arg[0].count, ny = r->told->arg[1].count;
     if (campaign_asked(r, &node, r->told, 3)) {
         const double *v = node.x;

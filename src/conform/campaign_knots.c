@@ -92,7 +92,7 @@ static void near_breaks(campaign_maker *m, double *b, size_t spans)
     if (spans > 3 && campaign_pick(m, 2) && i + 2 < spans) {      /* a third one: three knots within a few ulps */
         old[1] = b[i + 1];
         b[i + 1] = beside(m, b[i], 1.0, length);
-        b[i + 1] = b[i] < b[i + 1] && b[i + 1] < b[i + 2] ? b[i + 1] : old[1];
+        b[i + 1] = b[i + 1] < b[i + 2] ? b[i + 1] : old[1];
     }
 }
 
@@ -106,14 +106,14 @@ static void breaks(campaign_maker *m, double *b, size_t spans)
         const double step = zero || style == 0 ? 1.0 : style == 1 ? 0.0625 * (double)(1 + campaign_pick(m, 16)) : campaign_real(m, 0.25, 1.5);
         b[i] = b[i - 1] + step;
     }
-    if (m->unit || (style == 2 && !m->exact && !zero && m->category != ET_CATEGORY_SIZE)) {      /* on [0,1] */
+    if (m->unit || (style == 2 && !zero)) {      /* on [0,1] */
         const double lo = b[0], length = b[spans] - lo;
         for (size_t i = 0; i < spans; i++) {
             b[i] = (b[i] - lo) / length;
         }
         b[spans] = 1.0;
     }
-    if (m->category == ET_CATEGORY_NEAR_KNOTS && !zero && spans > 1) {
+    if (m->category == ET_CATEGORY_NEAR_KNOTS && !zero) {
         near_breaks(m, b, spans);
     }
     for (size_t i = 0; i <= spans; i++) {
@@ -127,7 +127,7 @@ static size_t multiplicity(campaign_maker *m, size_t p, size_t i)
     const size_t least = m->exact ? (p + 1) / 2 : 1, most = m->smooth || m->layout->times >= 0 ? p : p + 1;
     size_t k = least;
     if (p == 0 || m->category == ET_CATEGORY_SIZE) {
-        return m->exact && p > 0 ? least : 1;
+        return least;                             /* where it is more than 1, p is not 0 */
     }
     if (m->category == ET_CATEGORY_REPEATED_KNOTS) {
         const size_t turn = campaign_kind(m, 4) + i;
@@ -226,9 +226,6 @@ static size_t span(campaign_maker *m, const campaign_basis *b)
     while (k > b->p && !(b->u[k] < b->u[k + 1])) {
         k--;
     }
-    while (!(b->u[k] < b->u[k + 1])) {
-        k++;
-    }
     return k;
 }
 
@@ -264,11 +261,11 @@ static double near_knot(campaign_maker *m, const campaign_basis *b)
     size_t k = b->p;
     for (size_t i = b->p; i < b->n; i++) {       /* the narrowest span */
         const double width = b->u[i + 1] - b->u[i], least = b->u[k + 1] - b->u[k];
-        k = width > 0.0 && (!(least > 0.0) || width < least) ? i : k;
+        k = width > 0.0 && width < least ? i : k;
     }
     const double x = b->u[campaign_pick(m, 3) ? k + campaign_pick(m, 2) : b->p + campaign_pick(m, b->n - b->p + 1)];
     const size_t turn = (campaign_kind(m, 12) / 4 + campaign_pick(m, 2)) % 3;
-    if (campaign_kind(m, 4) == 1 && lo < 0.0 && campaign_pick(m, 3)) {
+    if (campaign_kind(m, 4) == 1 && campaign_pick(m, 3)) {
         return campaign_pick(m, 2) ? 0.0 : -0.0;
     }
     const double y = turn == 0 ? x : beside(m, x, turn == 1 ? 1.0 : -1.0, hi - lo);
@@ -301,12 +298,12 @@ double campaign_place(campaign_maker *m, const campaign_basis *b, size_t axis)
 int campaign_side(campaign_maker *m)
 {
     const int offered[3] = {m->hello->any, m->hello->right, m->hello->left};
-    int side[3], n = 0;
+    int side[3] = {0, 0, 0}, n = 0;
     for (int k = 2; k >= 0; k--) {               /* the left ones first: they are forgotten most */
         if (offered[k]) {
             side[n++] = k;
         }
     }
     const size_t turn = m->category == ET_CATEGORY_REPEATED_KNOTS ? campaign_kind(m, (size_t)n) : campaign_pick(m, (size_t)n);
-    return n > 0 ? side[turn] : 0;
+    return side[turn];
 }

@@ -108,7 +108,7 @@ static int knots(campaign_shrinker *s)
                 return progress;
             }
             for (size_t k = 0; k < l->axes; k++) {
-                if ((axis == k || axis == l->axes) && l->axis[k].knots >= 0) {
+                if (axis == k || axis == l->axes) {
                     simple_knots(&c, k, way % 2, way < 2);
                 }
             }
@@ -126,7 +126,7 @@ static int each_knot(campaign_shrinker *s, size_t axis)
 {
     const campaign_axis *a = &campaign_layout_of(s->best.op)->axis[axis];
     int progress = 0;
-    for (size_t i = 0; a->knots >= 0 && i < s->best.arg[a->knots].count; i++) {
+    for (size_t i = 0; i < s->best.arg[a->knots].count; i++) {
         const double x = s->best.arg[a->knots].x[i];
         if (i > 0 && s->best.arg[a->knots].x[i - 1] == x) {
             continue;

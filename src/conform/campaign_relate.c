@@ -13,13 +13,11 @@ void campaign_fail(campaign_relation *r, et_status status)
 
 void campaign_decide(campaign_relation *r, et_verdict verdict, const char *text)
 {
-    if (!r->decided) {
-        r->decided = 1;
-        r->judgement->verdict = verdict;
-        r->judgement->at = SIZE_MAX;
-        if (et_judge_bad(verdict)) {
-            snprintf(r->judgement->text, sizeof r->judgement->text, "%s: %s", r->name, text);
-        }
+    r->decided = 1;
+    r->judgement->verdict = verdict;
+    r->judgement->at = SIZE_MAX;
+    if (et_judge_bad(verdict)) {
+        snprintf(r->judgement->text, sizeof r->judgement->text, "%s: %s", r->name, text);
     }
 }
 
@@ -139,7 +137,7 @@ void campaign_compare(campaign_relation *r, size_t at, double got, double want, 
 double campaign_size(const et_request *q, int points)
 {
     double size = 0x1p-1000;
-    for (size_t i = 0; points >= 0 && i < 3 * q->arg[points].count; i++) {
+    for (size_t i = 0; i < 3 * q->arg[points].count; i++) {
         size = fmax(size, fabs(q->arg[points].x[i]));
     }
     return size;

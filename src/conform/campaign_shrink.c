@@ -55,7 +55,7 @@ int campaign_try(campaign_shrinker *s, et_request *candidate)
 int campaign_take(campaign_shrinker *s, et_request *candidate)
 {
     const uint64_t cost = campaign_cost(candidate);
-    if (s->calls > 0 && cost < s->cost) {
+    if (cost < s->cost) {
         s->calls--;
         if (s->fails(s->context, candidate)) {
             et_request_free(&s->best);
@@ -94,7 +94,7 @@ static size_t columns(const et_request *q, const campaign_layout *l, size_t axis
 /* Rows from .. from + count - 1 of an nx x ny grid (along 0) or columns (along 1), of `width` numbers each, out of argument k. */
 static void cut_grid(et_request *q, int k, size_t width, size_t nx, size_t ny, size_t along, size_t from, size_t count)
 {
-    if (k < 0 || q->arg[k].count != nx * ny) {
+    if (q->arg[k].count != nx * ny) {
         return;
     }
     if (along == 0) {
@@ -175,8 +175,7 @@ static int degrees(campaign_shrinker *s)
         size_t most = 0;
         for (size_t k = 0; k < l->axes; k++) {
             const int degree = l->axis[k].degree;
-            most = degree >= 0 && l->axis[k].knots >= 0 && (from == 0 || from == k + 1) && s->best.arg[degree].count > most
-                ? s->best.arg[degree].count : most;
+            most = degree >= 0 && (from == 0 || from == k + 1) && s->best.arg[degree].count > most ? s->best.arg[degree].count : most;
         }
         for (size_t p = 0; p < most && p < 64; p++) {
             for (int how = 0; how < 3; how++) {
@@ -185,7 +184,7 @@ static int degrees(campaign_shrinker *s)
                     return progress;
                 }
                 for (size_t k = 0; k < l->axes; k++) {
-                    if (l->axis[k].degree >= 0 && l->axis[k].knots >= 0 && (from == 0 || from == k + 1) && c.arg[l->axis[k].degree].count > p) {
+                    if (l->axis[k].degree >= 0 && (from == 0 || from == k + 1) && c.arg[l->axis[k].degree].count > p) {
                         lower(&c, k, p, how);
                     }
                 }

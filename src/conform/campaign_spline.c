@@ -8,7 +8,7 @@ static size_t least_degree(const campaign_maker *m)
 {
     const int zero = m->op == ET_OP_SPAN || m->op == ET_OP_BASIS || m->op == ET_OP_CURVE_POINT || m->op == ET_OP_SURFACE_POINT ||
                      m->op == ET_OP_MULTIPLICITY;
-    return zero || (m->category == ET_CATEGORY_DEGREES && m->layout->times < 0) ? 0 : 1;
+    return zero || m->category == ET_CATEGORY_DEGREES ? 0 : 1;
 }
 
 /* The order of derivatives: the result must stay within doubles. */
@@ -92,7 +92,7 @@ static void copy_knots(campaign_maker *m, campaign_basis *b, double x)
 {
     double *u = campaign_array(m, b->nu + 1);
     size_t n = 0;
-    for (size_t i = 0; i < b->nu && b->u[i] <= x; i++) {
+    for (size_t i = 0; b->u[i] <= x; i++) {                /* x is below the last knot */
         u[n++] = b->u[i];
     }
     u[n++] = x;
@@ -186,7 +186,7 @@ static void draw_insert(campaign_maker *m, const campaign_basis *b)
     if (m->category == ET_CATEGORY_END_OF_DOMAIN && (x == b->u[b->p] || x == b->u[b->n])) {
         /* The ends cannot be inserted: what is next to them can. */
         x = x == b->u[b->p] ? nextafter(x, HUGE_VAL) : nextafter(x, -HUGE_VAL);
-    } else if (m->exact || ((x == b->u[b->p] || x == b->u[b->n]) && m->category != ET_CATEGORY_END_OF_DOMAIN)) {
+    } else if (m->exact || x == b->u[b->p] || x == b->u[b->n]) {
         x = quarter(m, b);
     }
     const size_t times = campaign_multiplicity(b, x), most = times < b->p ? b->p - times : 1;
@@ -217,14 +217,14 @@ static void draw_remove(campaign_maker *m, spline *s, size_t along)
     for (size_t i = 0; i < inserted; i++) {
         insert(m, s, along, x);
     }
-    r = kind == 0 ? inserted : 1 + campaign_pick(m, times + inserted > 0 ? times + inserted : 1);
+    r = kind == 0 ? inserted : 1 + campaign_pick(m, times + inserted);      /* x is a knot now */
     tolerance = kind == 3 ? 0x1p-20 * size : kind == 4 ? fmin(0x1p40 * size, 0x1p1020) : tolerance;
     if (m->o_points > 0.0 && kind != 4) {
         tolerance = 0x1p-10;
     }
     put_spline(m, s);
     campaign_number(m, m->layout->along >= 0 ? m->layout->at : m->layout->axis[0].at, x);
-    campaign_count(m, m->layout->times, r > 0 ? r : 1);
+    campaign_count(m, m->layout->times, r);
     campaign_number(m, m->layout->tolerance, tolerance);
 }
 
@@ -312,7 +312,7 @@ void campaign_draw_nearest(campaign_maker *m)
     }
     for (size_t k = 0; k < l->axes; k++) {
         const size_t spans = campaign_spans(m, k);
-        b[k] = campaign_knots(m, k, campaign_degree(m, k, 1, l->axes > 1 ? 5 : 9), l->axes > 1 && spans > 8 ? 8 : spans);
+        b[k] = campaign_knots(m, k, campaign_degree(m, k, 1, l->axes > 1 ? 5 : 9), spans);
         campaign_put_basis(m, &l->axis[k], &b[k]);
     }
     const double *P = put_net(m, l->net[0], b[0].n, b[1].n);

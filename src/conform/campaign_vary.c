@@ -40,6 +40,9 @@ static void move_knot(varier *v, size_t axis)
     }
     const double x = u->x[pick(v, u->count)];
     size_t first = 0, behind = u->count;
+    if (isnan(x)) {                                        /* equal to none, itself included */
+        return;
+    }
     while (u->x[first] != x) {
         first++;
     }
@@ -67,15 +70,15 @@ static void move_parameter(varier *v, size_t axis)
 {
     const campaign_axis *a = &campaign_layout_of(v->q->op)->axis[axis];
     const int at = campaign_at(v->q, axis), place = at >= 0 ? at : a->sites;
-    const et_request_value *u = &v->q->arg[a->knots >= 0 ? a->knots : 0];
+    const et_request_value *u = &v->q->arg[a->knots];
     if (place < 0 || (at < 0 && v->q->arg[place].count == 0)) {
         return;
     }
     double *x = &v->q->arg[place].x[at >= 0 ? 0 : pick(v, v->q->arg[place].count)];
-    if (a->knots >= 0 && u->count > 1 && pick(v, 3) == 0) {
+    if (u->count > 1 && pick(v, 3) == 0) {
         *x = u->x[pick(v, u->count)];
         *x = pick(v, 2) ? *x : nextafter(*x, pick(v, 2) ? HUGE_VAL : -HUGE_VAL);
-    } else if (a->knots >= 0 && u->count > 1 && pick(v, 2)) {
+    } else if (u->count > 1 && pick(v, 2)) {
         *x = u->x[0] + (u->x[u->count - 1] - u->x[0]) * et_rng_uniform(v->rng);
     } else {
         *x = moved(v, *x);
@@ -122,7 +125,7 @@ et_status et_campaign_vary(et_request *varied, const et_request *request, uint64
         return status;
     }
     int done = 0;
-    for (size_t k = 0; k <= TRIES && !done && status == ET_OK; k++) {
+    for (size_t k = 0; !done && status == ET_OK; k++) {
         status = et_request_copy(&made, request);
         if (status == ET_OK) {
             varier v = {rng, &made};

@@ -140,9 +140,7 @@ static et_status ask_vectors(conform_run *run, et_request_op op)
         status = ask_vector(run, &all.vector[k]);
     if (status == ET_OK)
         status = conform_flush(run);
-    for (size_t k = 0; k < run->n; k++)
-        run->block[k].vector = NULL;
-    et_vectors_free(&all);
+    et_vectors_free(&all);                /* what is in the block still, without memory, is freed and not judged */
     return status;
 }
 
@@ -234,8 +232,6 @@ static et_status climb(conform_run *run, et_request_op op)
     for (uint64_t number = 0; status == ET_OK && number < NEIGHBOURS && !conform_given_up(run, op); number++) {
         et_request varied;
         status = et_campaign_vary(&varied, &run->worst[op], run->options->seed, number, run->hello);
-        if (status == ET_EINVAL)
-            return ET_OK;
         if (status == ET_OK)
             status = conform_add(run, &varied, run->worst_category[op], NULL);
         if (status == ET_OK)

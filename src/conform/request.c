@@ -87,10 +87,10 @@ const et_request_shape *et_request_argument(et_request_op op, size_t k)
 {
     if ((size_t)op >= ET_OPS)
         return NULL;
-    for (size_t i = 0; i < k && operations[op].shape[i].name; i++)
-        if (i + 1 == SHAPES)
-            return NULL;
-    return k < SHAPES && operations[op].shape[k].name ? &operations[op].shape[k] : NULL;
+    const et_request_shape *shape = operations[op].shape;
+    for (; k > 0 && shape->name; k--)
+        shape++;
+    return shape->name ? shape : NULL;
 }
 
 /* ---- storage ---- */
@@ -120,11 +120,16 @@ void et_request_free(et_request *request)
     memset(request, 0, sizeof *request);
 }
 
-/* How many doubles a value of this kind holds; ET_ENOMEM if that wraps. */
-static et_status held(size_t *n, et_request_kind kind, size_t count)
+/* How many doubles each item of a value of this kind holds. */
+static size_t width(et_request_kind kind)
 {
-    *n = kind == ET_ARG_REAL ? 1 : kind == ET_ARG_REALS ? count : 0;
-    return kind == ET_ARG_POINTS ? et_size_mul(n, 3, count) : ET_OK;
+    return kind == ET_ARG_REAL || kind == ET_ARG_REALS ? 1 : kind == ET_ARG_POINTS ? 3 : 0;
+}
+
+/* How many doubles a value that is stored holds. */
+static size_t held(et_request_kind kind, size_t count)
+{
+    return kind == ET_ARG_REAL ? 1 : width(kind) * count;
 }
 
 et_status et_request_set(et_request *request, size_t k, size_t count, const double *x)
@@ -137,7 +142,7 @@ et_status et_request_set(et_request *request, size_t k, size_t count, const doub
         return ET_EINVAL;
     while (shape->kind == ET_ARG_WORD && shape->words[words])
         words++;
-    if (held(&n, shape->kind, count) != ET_OK)
+    if (et_size_mul(&n, width(shape->kind), shape->kind == ET_ARG_REAL ? 1 : count) != ET_OK)
         return ET_ENOMEM;
     if ((shape->kind == ET_ARG_WORD && count >= words) || (shape->kind == ET_ARG_COUNT && (uint64_t)count > UINT64_C(1) << 53) || (n > 0 && !x))
         return ET_EINVAL;
@@ -208,12 +213,14 @@ static et_status read_word(size_t *number, const et_request_shape *shape, reques
 }
 
 /* What is allocated is at most as large as the line: each number takes two bytes of it. */
-static et_status read_reals(double **x, size_t n, const et_request_shape *shape, request_words *words, et_message *message)
+static et_status read_reals(double **x, size_t count, const et_request_shape *shape, request_words *words, et_message *message)
 {
-    if (n == 0)
+    if (count == 0)
         return ET_OK;
-    if (n > strlen(words->at))
-        return et_status_fail(message, ET_EFORMAT, "%s: the line ends before its %zu numbers", shape->name, n);
+    if (count > strlen(words->at) / width(shape->kind))
+        return et_status_fail(message, ET_EFORMAT, "%s: the line ends before its %zu %s", shape->name, count,
+                              shape->kind == ET_ARG_POINTS ? "points" : "numbers");
+    const size_t n = held(shape->kind, count);
     *x = et_size_array(n, sizeof **x);
     if (!*x)
         return et_status_fail(message, ET_ENOMEM, "out of memory");
@@ -228,8 +235,6 @@ static et_status read_reals(double **x, size_t n, const et_request_shape *shape,
 
 static et_status read_argument(et_request_value *value, const et_request_shape *shape, request_words *words, et_message *message)
 {
-    size_t n;
-
     if (shape->kind == ET_ARG_WORD)
         return read_word(&value->count, shape, words, message);
     if (shape->kind != ET_ARG_REAL) {
@@ -239,9 +244,7 @@ static et_status read_argument(et_request_value *value, const et_request_shape *
     }
     free(value->x);
     value->x = NULL;
-    if (held(&n, shape->kind, value->count) != ET_OK)
-        return et_status_fail(message, ET_EFORMAT, "%s: the line ends before its %zu points", shape->name, value->count);
-    return read_reals(&value->x, n, shape, words, message);
+    return read_reals(&value->x, shape->kind == ET_ARG_REAL ? 1 : value->count, shape, words, message);
 }
 
 static et_status read_all(et_request *request, request_words words, et_message *message)
@@ -287,7 +290,6 @@ et_status et_request_print(char **line, const et_request *request)
 {
     request_line made = { NULL, 0, 0, 0 };
     const et_request_shape *shape;
-    size_t n;
 
     request_line_text(&made, et_request_name(request->op));
     for (size_t k = 0; (shape = et_request_argument(request->op, k)) != NULL; k++) {
@@ -299,9 +301,7 @@ et_status et_request_print(char **line, const et_request *request)
             request_line_text(&made, " ");
             request_line_count(&made, value->count);
         }
-        if (held(&n, shape->kind, value->count) != ET_OK)
-            made.failed = 1;
-        for (size_t i = 0; !made.failed && i < n; i++) {
+        for (size_t i = 0; !made.failed && i < held(shape->kind, value->count); i++) {
             request_line_text(&made, " ");
             request_line_real(&made, value->x[i]);
         }
