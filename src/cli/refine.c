@@ -55,14 +55,14 @@ static et_status finish(const cli_refined *r, const refine_files *f, const cli_r
     return status;
 }
 
-/* The surface and the net must be of one making: same sides, and for the objective a closed surface. */
+/* The surface and the net must be of one making: same sides, and for the objective one control net for both views. */
 static et_status matches(const et_surface_file *surface, const et_net_file *net, const refine_files *f, const char *path, et_message *message)
 {
     const et_doublenet a = surface->fit.data, b = net->net;
 
     if (a.nx != b.nx || a.ny != b.ny)
         return et_status_fail(message, ET_EFORMAT, "%s was fitted to a %zux%zu net, %s holds one of %zux%zu", path, a.nx, a.ny, f->net, b.nx, b.ny);
-    if (!et_shell_closed(&surface->fit.shell))
+    if (!et_shell_glued(&surface->fit.shell))
         return et_status_fail(message, ET_EFORMAT, "%s has a gap: fit it with --approach improved or joint to refine it", path);
     if (f->algorithm != CLI_CERES_FULL && surface->fit.shell.view[0].weights)
         return et_status_fail(message, ET_EFORMAT, "%s is rational: only ceres-full refines weights", path);

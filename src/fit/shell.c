@@ -27,7 +27,7 @@ static int same_node(const et_surface *a, const et_surface *b, size_t at)
            (a->weights == NULL || same_bits(a->weights + at, b->weights + at, 1));
 }
 
-int et_shell_closed(const et_shell *shell)
+int et_shell_glued(const et_shell *shell)
 {
     const et_surface *a = &shell->view[ET_BOTTOM], *b = &shell->view[ET_TOP];
 
@@ -38,6 +38,23 @@ int et_shell_closed(const et_shell *shell)
             if ((i == 0 || i == a->nu - 1 || j == 0 || j == a->nv - 1) && !same_node(a, b, i * a->nv + j))
                 return 0;
     return 1;
+}
+
+/* Clamped, and no end p + 2 times: only then does the curve end in the control polygon's ends. */
+static int ends_meet(const double *u, size_t n, size_t p)
+{
+    return et_knots_clamped(u, n + p + 1, p) && u[p] < u[p + 1] && u[n - 1] < u[n];
+}
+
+/* Then a border curve is that of the border's control points alone: glued control nets are glued surfaces. */
+static int clamped(const et_surface *s)
+{
+    return ends_meet(s->u, s->nu, s->p) && ends_meet(s->v, s->nv, s->q);
+}
+
+int et_shell_closed(const et_shell *shell)
+{
+    return et_shell_glued(shell) && clamped(&shell->view[ET_BOTTOM]);
 }
 
 et_doublenet et_shell_net(const et_shell *shell)

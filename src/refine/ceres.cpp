@@ -646,8 +646,8 @@ et_status check(const et_fit *fit, const et_ceres_summary *summary, const et_vec
         return et_status_fail(message, ET_EINVAL, "ceres: a null pointer");
     if (!(o.iterations > 0 && o.tolerance >= 0 && o.smooth_end > 0 && o.smooth_start >= o.smooth_end && std::isfinite(o.smooth_start)))
         return et_status_fail(message, ET_EINVAL, "ceres: iterations, tolerance or smoothing out of range");
-    if (!et_shell_closed(&fit->shell))
-        return et_status_fail(message, ET_EINVAL, "ceres: the shell is not closed");
+    if (!et_shell_glued(&fit->shell))
+        return et_status_fail(message, ET_EINVAL, "ceres: the shell is not glued along its border");
     if (!et_doublenet_valid(fit->data) || nov != et_doublenet_nov(fit->data) || !et_vec3_finite(data, nov))
         return et_status_fail(message, ET_EINVAL, "ceres: data do not belong to the fit, or are not finite");
     if (!has_parameters(fit))

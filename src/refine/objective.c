@@ -180,7 +180,7 @@ static int same_parameters(const et_fit *fit)
 et_status et_objective_new(et_objective **objective, const et_fit *fit, const et_vec3 *data, size_t nov)
 {
     if (!objective || !fit || !data || !et_doublenet_valid(fit->data) || nov != et_doublenet_nov(fit->data)) return ET_EINVAL;
-    if (!et_shell_closed(&fit->shell) || fit->shell.view[ET_BOTTOM].weights || !same_parameters(fit)) return ET_EINVAL;
+    if (!et_shell_glued(&fit->shell) || fit->shell.view[ET_BOTTOM].weights || !same_parameters(fit)) return ET_EINVAL;
     et_objective *f = et_size_array(1, sizeof *f);
     if (!f) return ET_ENOMEM;
     f->data = fit->data;

@@ -32,8 +32,8 @@ static et_status check(const et_fit *fit, const et_vec3 *data, size_t nov, et_me
 
     if (fit == NULL || data == NULL)
         return et_status_fail(message, ET_EINVAL, "optimum: a null pointer");
-    if (!fit->s[0] || !fit->s[1] || !fit->r[0] || !fit->r[1] || !et_shell_closed(&fit->shell))
-        return et_status_fail(message, ET_EINVAL, "optimum: the shell is not closed, or there are no parameters");
+    if (!fit->s[0] || !fit->s[1] || !fit->r[0] || !fit->r[1] || !et_shell_glued(&fit->shell))
+        return et_status_fail(message, ET_EINVAL, "optimum: the shell is not glued along its border, or there are no parameters");
     if (et_doublenet_valid(fit->data) && nov == et_doublenet_nov(fit->data))
         status = et_vec3_finite(data, nov) ? et_objective_new(&objective, fit, data, nov) : ET_EFORMAT;
     et_objective_free(objective);

@@ -319,7 +319,7 @@ verdict prop_exact_fit_make(gen *g)
     else {
         ok = gen_check(g, same_parameters(&f, &by) && same_knots(&f, &by) && same_points(&f, &by), "make is not its stages") && ok;
         ok = gen_check(g, bits == most, "%zu bits, the stages %zu", bits, most) && ok;
-        ok = gen_check(g, et_shell_valid(&f.shell) && (c.options.approach == ET_FIT_CONVENTIONAL || et_shell_closed(&f.shell)), "shell") && ok;
+        ok = gen_check(g, et_shell_valid(&f.shell) && (c.options.approach == ET_FIT_CONVENTIONAL || et_shell_glued(&f.shell)), "shell") && ok;
         used = 4 * bits;
         ok = gen_check(g, fit_make(&again, c.data, c.nov, c.net, &c.options, &used, NULL, NULL) == ET_OK && used >= 4 * bits, "again") && ok;
         ok = gen_check(g, ok && same_parameters(&f, &again) && same_knots(&f, &again) && same_points(&f, &again), "four times the bits") && ok;

@@ -990,7 +990,7 @@ verdict prop_enclosure_refine(gen *g)
         gen_label(g, e.undecided ? "undecided" : "decided");
         ok = gen_check(g, x.full, "refined, but no unique solution") && encloses(g, &c, &f, &e, &x) && decided(g, &c, &f, &e, &x);
         ok = ok && zeros_and_corners(g, &c, &f, &e) && refined_again(g, &c, &f, &e);
-        ok = gen_check(g, c.options.approach == ET_FIT_CONVENTIONAL || et_shell_closed(&f.shell), "closed") && ok;
+        ok = gen_check(g, c.options.approach == ET_FIT_CONVENTIONAL || et_shell_glued(&f.shell), "closed") && ok;
         exact_clear(&x);
         et_enclosure_free(&e);
     }

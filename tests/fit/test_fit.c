@@ -379,7 +379,7 @@ static bool fit_right(gen *g, problem *c, et_fit *f, et_fit *frame)
     bool ok = same_frame(g, f, frame, c) && gen_check(g, et_shell_valid(&f->shell), "the shell is not valid");
 
     if (ok && c->options.approach != ET_FIT_CONVENTIONAL)
-        ok = gen_check(g, et_shell_closed(&f->shell), "not closed") &&
+        ok = gen_check(g, et_shell_glued(&f->shell), "not glued") &&
              gen_check(g, et_seam_gap(&gap, &f->shell, 2) == ET_OK && gap.distance == 0, "a gap");
     if (ok && corners_fixed(&c->options))
         ok = corners_stand(g, f, c);

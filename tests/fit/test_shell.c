@@ -1,3 +1,4 @@
+#include "etalon/fit/seam.h"
 #include "etalon/fit/shell.h"
 #include "gen.h"
 #include <math.h>
@@ -79,38 +80,88 @@ static double *a_number(gen *g, et_surface *b, bool *border)
     }
 }
 
-verdict prop_shell_closed(gen *g)
+verdict prop_shell_glued(gen *g)
 {
     et_shell s;
     bool border, ok;
 
     draw(g, &s);
     et_surface *b = &s.view[gen_upto(g, 1)];
-    ok = gen_check(g, et_shell_closed(&s) == 1, "a closed shell");
+    ok = gen_check(g, et_shell_glued(&s) == 1, "a glued shell");
     double *x = a_number(g, b, &border), was = *x;
     *x = nextafter(*x, 1e300);
-    ok = gen_check(g, et_shell_closed(&s) == !border, "one ulp on the %s", border ? "border" : "inside") && ok;
+    ok = gen_check(g, et_shell_glued(&s) == !border, "one ulp on the %s", border ? "border" : "inside") && ok;
     *x = was;
     gen_label(g, border ? "border" : "inside");
     if (b->nu > b->p + 1) {
         x = &b->u[b->p + 1];
         was = *x;
         *x = nextafter(*x, *x < b->u[b->p + 2] ? 1 : 0);
-        ok = gen_check(g, !et_shell_closed(&s), "a knot in u moved by an ulp") && ok;
+        ok = gen_check(g, !et_shell_glued(&s), "a knot in u moved by an ulp") && ok;
         *x = was;
     }
     if (b->nv > b->q + 1) {
         x = &b->v[b->nv - 1];
         was = *x;
         *x = nextafter(*x, *x > b->v[b->nv - 2] ? 0 : 1);
-        ok = gen_check(g, !et_shell_closed(&s), "a knot in v moved by an ulp") && ok;
+        ok = gen_check(g, !et_shell_glued(&s), "a knot in v moved by an ulp") && ok;
         *x = was;
     }
     s.view[0].points[0].x = 0;
     s.view[1].points[0].x = -0.0;
-    ok = gen_check(g, !et_shell_closed(&s), "0 and -0") && ok;
+    ok = gen_check(g, !et_shell_glued(&s), "0 and -0") && ok;
     s.view[1].points[0].x = 0;
     b->points[0].x = NAN;
+    ok = gen_check(g, !et_shell_glued(&s), "an invalid shell") && ok;
+    et_shell_free(&s);
+    return ok ? PASS : FAIL;
+}
+
+/* The knot at `at` from the first (end 0, 2) or last (end 1, 3) of u (0, 1) or v (2, 3), of both views. */
+static void set_knot(et_shell *s, int end, size_t at, double x)
+{
+    for (size_t w = 0; w < 2; w++) {
+        const et_surface *a = &s->view[w];
+        double *t = end < 2 ? a->u : a->v;
+        t[end % 2 == 0 ? at : (end < 2 ? a->nu + a->p : a->nv + a->q) - at] = x;
+    }
+}
+
+/* Glued, and yet not closed: at one end a knot less than clamped, or one more. */
+static bool opens(gen *g, et_shell *s, int end)
+{
+    const et_surface *a = &s->view[0];
+    const size_t p = end < 2 ? a->p : a->q, n = end < 2 ? a->nu : a->nv;
+    const double *t = end < 2 ? a->u : a->v, at = end % 2 == 0 ? t[0] : t[n + p], inner = end % 2 == 0 ? t[p + 1] : t[n - 1];
+    bool ok;
+
+    set_knot(s, end, 0, end % 2 == 0 ? at - 0.5 : at + 0.5);
+    ok = gen_check(g, et_shell_glued(s) && !et_shell_closed(s), "one knot too few at end %d", end);
+    set_knot(s, end, 0, at);
+    if (n > p + 1) {
+        set_knot(s, end, p + 1, at);
+        ok = gen_check(g, et_shell_glued(s) && !et_shell_closed(s), "one knot too many at end %d", end) && ok;
+        set_knot(s, end, p + 1, inner);
+    }
+    return gen_check(g, et_shell_closed(s), "closed again") && ok;
+}
+
+/* What is glued and clamped is closed, and has no gap at all; what is not glued is not. */
+verdict prop_shell_closed(gen *g)
+{
+    et_shell s;
+    et_seam gap = {-1, -1, -1};
+    bool border, ok;
+
+    draw(g, &s);
+    ok = gen_check(g, et_shell_closed(&s) == 1, "a closed shell") &&
+         gen_check(g, et_seam_gap(&gap, &s, 2) == ET_OK && gap.distance == 0, "a closed shell with a gap of %a", gap.distance);
+    for (int end = 0; end < 4; end++)
+        ok = opens(g, &s, end) && ok;
+    double *x = a_number(g, &s.view[gen_upto(g, 1)], &border);
+    *x = nextafter(*x, 1e300);
+    ok = gen_check(g, et_shell_closed(&s) == et_shell_glued(&s), "one ulp on the %s", border ? "border" : "inside") && ok;
+    s.view[0].points[0].x = NAN;
     ok = gen_check(g, !et_shell_closed(&s), "an invalid shell") && ok;
     et_shell_free(&s);
     return ok ? PASS : FAIL;

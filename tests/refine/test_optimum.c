@@ -1,69 +1,14 @@
 #include "etalon/refine/optimum.h"
+#include "ascending.h"
 #include "etalon/refine/ceres.h"
-#include "gen.h"
 #include "golden.h"
-#include <arb.h>
+#include "refine/optimum_cases.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* Finding a minimum costs milliseconds: one case in RARE does what costs most. */
-enum { SIDE = 8, CLASSES = 2 * SIDE * SIDE, DEGREE = 4, BITS = 320, RARE = 8 };
-
-typedef struct {
-    et_fit fit;
-    et_doublenet control;
-    size_t nov, n;                        /* classes of data and control points */
-    et_vec3 data[CLASSES], start[CLASSES];
-} instance;
-
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
-static bool allocate(instance *c, size_t p, size_t q, et_doublenet control, et_doublenet data)
-{
-    memset(c, 0, sizeof *c);
-    c->fit.data = data;
-    c->control = control;
-    c->nov = et_doublenet_nov(data);
-    c->n = et_doublenet_nov(control);
-    if (et_shell_new(&c->fit.shell, p, q, control, 0) != ET_OK)
-        return false;
-    for (size_t w = 0; w < 2; w++) {
-        c->fit.s[w] = calloc(data.nx, sizeof(double));
-        c->fit.r[w] = calloc(data.ny, sizeof(double));
-        if (!c->fit.s[w] || !c->fit.r[w])
-            return false;
-    }
-    return true;
-}
-
-/* The other view's knots and parameters are the bottom's. */
-static void close_shell(instance *c)
-{
-    et_surface *const a = &c->fit.shell.view[ET_BOTTOM], *const b = &c->fit.shell.view[ET_TOP];
-
-    memcpy(b->u, a->u, (a->nu + a->p + 1) * sizeof *a->u);
-    memcpy(b->v, a->v, (a->nv + a->q + 1) * sizeof *a->v);
-    memcpy(c->fit.s[ET_TOP], c->fit.s[ET_BOTTOM], c->fit.data.nx * sizeof(double));
-    memcpy(c->fit.r[ET_TOP], c->fit.r[ET_BOTTOM], c->fit.data.ny * sizeof(double));
-    et_shell_scatter(&c->fit.shell, c->start, c->n);
-}
-
-static void end(instance *c)
-{
-    et_fit_free(&c->fit);
-}
-
-static void even_knots(double *u, size_t n, size_t p)
-{
-    for (size_t k = 0; k < n + p + 1; k++)
-        u[k] = k <= p ? 0 : k >= n ? 1 : (double)(k - p) / (double)(n - p);
-}
+enum { SIDE = OPTIMUM_MOST, CLASSES = OPTIMUM_CLASSES, DEGREE = 4, BITS = OPTIMUM_BITS, RARE = 8 };
 
 /* From 0 to 1, sorted; even ones are the simplest.  wild: anything goes, knots and their neighbours and equal ones often. */
 static void parameters(gen *g, double *t, size_t nt, const double *u, size_t nu, size_t p, bool wild)
@@ -74,7 +19,7 @@ static void parameters(gen *g, double *t, size_t nt, const double *u, size_t nu,
         t[i] = kind == 0 || (kind == 1 && !wild) ? (double)i / (double)(nt - 1)
              : wild                              ? gen_parameter(g, u, nu, p)
                                                  : ((double)i + gen_real(g, 0, 0.5)) / ((double)nt - 0.5);
-    qsort(t, nt, sizeof *t, compare);
+    ascending(t, nt);
     if (kind != 3 || !wild) {
         t[0] = 0;
         t[nt - 1] = 1;
@@ -87,7 +32,7 @@ static et_vec3 some_point(gen *g, double scale)
 }
 
 /* tame: knots even, more data than control points, coordinates within [-1, 1]: nothing is undetermined. */
-static bool draw(gen *g, instance *c, bool tame)
+static bool draw(gen *g, optimum_case *c, bool tame)
 {
     static const size_t degrees[] = {1, 2, 3, DEGREE};
     const size_t p = degrees[gen_upto(g, tame ? 2 : 3)], q = degrees[gen_upto(g, tame ? 2 : 3)];
@@ -95,10 +40,10 @@ static bool draw(gen *g, instance *c, bool tame)
     const et_doublenet data = {gen_between(g, tame ? control.nx + 1 : 2, tame ? 7 : 6), gen_between(g, tame ? control.ny + 1 : 2, tame ? 7 : 6)};
     et_surface *const s = &c->fit.shell.view[ET_BOTTOM];
 
-    if (!allocate(c, p, q, control, data))
+    if (!optimum_case_new(c, p, q, control, data))
         return false;
-    even_knots(s->u, s->nu, p);
-    even_knots(s->v, s->nv, q);
+    optimum_case_even(s->u, s->nu, p);
+    optimum_case_even(s->v, s->nv, q);
     if (!tame) {
         gen_knots(g, s->u, s->nu + p + 1, p);
         gen_knots(g, s->v, s->nv + q + 1, q);
@@ -113,56 +58,11 @@ static bool draw(gen *g, instance *c, bool tame)
         c->data[k] = some_point(g, 1);
     for (size_t k = 0; tame && k < c->n; k++)
         c->start[k] = some_point(g, 1);
-    close_shell(c);
+    optimum_case_close(c);
     return true;
 }
 
 /* ---- E by the definition, in balls ---- */
-
-/* q = (t - from) / (to - from). */
-static void fraction(arb_t q, double t, double from, double to)
-{
-    arb_t a, b;
-
-    arb_init(a);
-    arb_init(b);
-    arb_set_d(a, from);
-    arb_set_d(b, to);
-    arb_sub(b, b, a, BITS);
-    arb_set_d(q, t);
-    arb_sub(q, q, a, BITS);
-    arb_div(q, q, b, BITS);
-    arb_clear(a);
-    arb_clear(b);
-}
-
-/* N_i,p(t) by the recursion of Cox and de Boor, 0/0 = 0, the last span that is not empty closed; t within the domain, which ends at u[n]. */
-static void basis(arb_t N, const double *u, size_t n, size_t p, size_t i, double t)
-{
-    arb_t a, b;
-
-    if (p == 0) {
-        const bool last = t >= u[n] && u[i] < u[i + 1] && u[i + 1] == u[n];
-
-        arb_set_si(N, (u[i] <= t && t < u[i + 1] && t < u[n]) || last);
-        return;
-    }
-    arb_init(a);
-    arb_init(b);
-    arb_zero(N);
-    if (u[i] < u[i + p]) {
-        fraction(a, t, u[i], u[i + p]);
-        basis(b, u, n, p - 1, i, t);
-        arb_addmul(N, a, b, BITS);
-    }
-    if (u[i + 1] < u[i + p + 1]) {
-        fraction(a, t, u[i + p + 1], u[i + 1]);
-        basis(b, u, n, p - 1, i + 1, t);
-        arb_addmul(N, a, b, BITS);
-    }
-    arb_clear(a);
-    arb_clear(b);
-}
 
 /* All of one direction: N[t][n]. */
 static arb_ptr bases(const double *u, size_t n, size_t p, const double *t, size_t nt)
@@ -171,12 +71,12 @@ static arb_ptr bases(const double *u, size_t n, size_t p, const double *t, size_
 
     for (size_t k = 0; k < nt; k++)
         for (size_t i = 0; i < n; i++)
-            basis(N + k * n + i, u, n, p, i, fmin(fmax(t[k], u[p]), u[n]));
+            optimum_case_basis(N + k * n + i, u, n, p, i, t[k]);
     return N;
 }
 
 /* E(P) lies within [low, high]. */
-static void true_E(double *low, double *high, const instance *c, const et_vec3 *P)
+static void true_E(double *low, double *high, const optimum_case *c, const et_vec3 *P)
 {
     const et_surface *const s = &c->fit.shell.view[ET_BOTTOM];
     arb_ptr U = bases(s->u, s->nu, s->p, c->fit.s[0], c->fit.data.nx), V = bases(s->v, s->nv, s->q, c->fit.r[0], c->fit.data.ny);
@@ -235,7 +135,7 @@ static bool same(double a, double b)
 }
 
 /* E as told, at both ends; bound below value; never worse; closed; the dual proves the bound told. */
-static bool owed(gen *g, const instance *c, const et_optimum_result *r, const et_vec3 *dual)
+static bool owed(gen *g, const optimum_case *c, const et_optimum_result *r, const et_vec3 *dual)
 {
     et_vec3 P[CLASSES];
     double low, high, lower = -1, tiny;
@@ -250,14 +150,14 @@ static bool owed(gen *g, const instance *c, const et_optimum_result *r, const et
     true_E(&low, &high, c, c->start);
     ok = ok && gen_check(g, r->before >= low && r->before <= high * (1 + 0x1p-52) + tiny, "before %a of E in [%a, %a]", r->before, low, high);
     ok = ok && gen_check(g, r->value <= r->before, "worse") && gen_check(g, r->lower <= high, "the start lies below the bound");
-    ok = ok && gen_check(g, et_shell_closed(&c->fit.shell), "not closed");
+    ok = ok && gen_check(g, et_shell_glued(&c->fit.shell), "not glued");
     ok = ok && gen_check(g, et_optimum_bound(&lower, dual, c->nov, &c->fit, c->data) == ET_OK && same(lower, r->lower), "dual: %a, not %a", lower,
                          r->lower);
     return ok;
 }
 
 /* No P lies below: near the best, far from it, and in all places at once. */
-static bool below_all(gen *g, const instance *c, double lower, double scale)
+static bool below_all(gen *g, const optimum_case *c, double lower, double scale)
 {
     et_vec3 P[CLASSES];
     double low, high;
@@ -280,7 +180,7 @@ static bool below_all(gen *g, const instance *c, double lower, double scale)
     return ok;
 }
 
-static et_status find(instance *c, et_optimum_result *r, et_vec3 *dual)
+static et_status find(optimum_case *c, et_optimum_result *r, et_vec3 *dual)
 {
     return et_optimum_find(&c->fit, r, dual, NULL, 0, c->data, c->nov, NULL, NULL, NULL);
 }
@@ -300,7 +200,7 @@ verdict prop_optimum_defaults(gen *g)
 /* One case in 6. */
 verdict prop_optimum_find(gen *g)
 {
-    instance c;
+    optimum_case c;
     et_optimum_result r = {0, 0, 0, 0, 0};
     et_vec3 dual[CLASSES];
     et_message message = {{0}};
@@ -318,7 +218,7 @@ verdict prop_optimum_find(gen *g)
         ok = ok && gen_check(g, status == ET_OK, "status %d: %s", (int)status, message.text) && owed(g, &c, &r, dual) && below_all(g, &c, r.lower, scale);
         gen_label(g, message.text[0] ? "nothing proved" : r.gap <= 1e-9 * scale ? "narrow" : "wide");
     }
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }
 
@@ -326,7 +226,7 @@ verdict prop_optimum_find(gen *g)
 /* One case in 10. */
 verdict prop_optimum_find_tame(gen *g)
 {
-    instance c;
+    optimum_case c;
     et_optimum_result r;
     et_vec3 dual[CLASSES];
     et_ceres_summary sum;
@@ -341,19 +241,19 @@ verdict prop_optimum_find_tame(gen *g)
         ok = ok && gen_check(g, r.value <= sum.after * (1 + 0x1p-40), "ceres is better: %.17g < %.17g", sum.after, r.value);
         ok = ok && gen_check(g, sum.after <= r.value * (1 + 1e-5) + 1e-8 * (double)c.nov, "ceres: %.17g, optimum %.17g", sum.after, r.value);
     }
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }
 
 /* Bilinear patches over parameters 0, .., 0, 1: each corner sees `many` data points of its own, and is their median. */
-static bool medians(instance *c, size_t many)
+static bool medians(optimum_case *c, size_t many)
 {
     et_surface *const s = &c->fit.shell.view[ET_BOTTOM];
 
-    if (!allocate(c, 1, 1, (et_doublenet){2, 2}, (et_doublenet){many + 1, 2}))
+    if (!optimum_case_new(c, 1, 1, (et_doublenet){2, 2}, (et_doublenet){many + 1, 2}))
         return false;
-    even_knots(s->u, 2, 1);
-    even_knots(s->v, 2, 1);
+    optimum_case_even(s->u, 2, 1);
+    optimum_case_even(s->v, 2, 1);
     c->fit.s[ET_BOTTOM][many] = 1;
     c->fit.r[ET_BOTTOM][1] = 1;
     return true;
@@ -383,7 +283,7 @@ verdict prop_optimum_find_median(gen *g)
 {
     const bool line = gen_chance(g, 2);
     const size_t many = line ? gen_between(g, 1, 7) : 3;
-    instance c;
+    optimum_case c;
     et_optimum_result r;
     et_vec3 dual[CLASSES];
     double want = 0;
@@ -396,18 +296,18 @@ verdict prop_optimum_find_median(gen *g)
 
         for (size_t k = 0; k < many; k++)
             x[k] = c.data[2 * k + j].x;
-        qsort(x, many, sizeof *x, compare);
+        ascending(x, many);
         for (size_t k = 0; k < many && line; k++)
             want += fabs(x[k] - x[many / 2]);
         want += line ? 0 : fermat(c.data[j], c.data[2 + j], c.data[4 + j]);
     }
     for (size_t k = 0; k < c.n; k++)
         c.start[k] = some_point(g, 4);
-    close_shell(&c);
+    optimum_case_close(&c);
     ok = ok && gen_check(g, find(&c, &r, dual) == ET_OK, "not done") && owed(g, &c, &r, dual);
     ok = ok && gen_check(g, r.lower <= want * (1 + 0x1p-45) && want <= r.value * (1 + 0x1p-45) + 0x1p-60 && r.gap <= 1e-9,
                          "%.17g is not within [%.17g, %.17g]", want, r.lower, r.value);
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }
 
@@ -417,7 +317,7 @@ verdict prop_optimum_find_moved(gen *g)
 {
     const int shift = (int)gen_upto(g, 600) - 300;
     const double scale = ldexp(gen_chance(g, 2) ? -1 : 1, shift), offset = (double)gen_upto(g, 1024);
-    instance c;
+    optimum_case c;
     et_optimum_result a, b;
     et_vec3 dual[CLASSES];
     bool ok = draw(g, &c, true);
@@ -434,7 +334,7 @@ verdict prop_optimum_find_moved(gen *g)
     /* the data were rounded by half an ulp of the offset */
     ok = ok && gen_check(g, a.lower <= b.value + 0x1p-53 * 1024 * (double)c.nov && b.lower <= a.value + 0x1p-53 * 1024 * (double)c.nov,
                          "[%.17g, %.17g] and [%.17g, %.17g] are apart", a.lower, a.value, b.lower, b.value);
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }
 
@@ -442,7 +342,7 @@ verdict prop_optimum_find_moved(gen *g)
 /* One case in 8. */
 verdict prop_optimum_find_interpolated(gen *g)
 {
-    instance c;
+    optimum_case c;
     et_optimum_result r;
     et_vec3 dual[CLASSES];
     double work[512];
@@ -466,7 +366,7 @@ verdict prop_optimum_find_interpolated(gen *g)
     gen_label(g, r.value <= 1e-9 * scale ? "met" : "not met");
     /* knots and parameters an ulp apart determine some control points by their last bits alone: then only what is told must be true */
     ok = ok && gen_check(g, !tame || r.gap <= 1e-9 * scale, "value %g, gap %g, scale %g", r.value, r.gap, scale);
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }
 
@@ -474,7 +374,7 @@ verdict prop_optimum_find_interpolated(gen *g)
 /* One case in 20. */
 verdict prop_optimum_find_again(gen *g)
 {
-    instance c;
+    optimum_case c;
     et_optimum_result first, r;
     et_vec3 dual[CLASSES];
     bool ok = draw(g, &c, true);
@@ -488,7 +388,7 @@ verdict prop_optimum_find_again(gen *g)
     et_shell_gather(c.start, c.n, &c.fit.shell);
     ok = ok && gen_check(g, find(&c, &r, dual) == ET_OK, "not done") && owed(g, &c, &r, dual);
     ok = ok && gen_check(g, r.before == first.value && r.value >= first.lower && r.gap <= 1e-9, "gap %g", r.gap);
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }
 
@@ -511,7 +411,7 @@ verdict prop_optimum_find_stop(gen *g)
     stopper s = {0, 1 + gen_upto(g, 12), limit, gen_chance(g, 2) ? ET_EIO : ET_ESTOPPED, true};
     const et_task task = {stop_step, &s};
     const et_optimum_options o = {limit, gen_chance(g, 4) ? 1e-3 : 0};
-    instance c;
+    optimum_case c;
     et_optimum_result r;
     et_vec3 dual[CLASSES];
     double history[16];
@@ -532,7 +432,7 @@ verdict prop_optimum_find_stop(gen *g)
     if (ok && r.iterations > 0 && r.iterations <= room)     /* 2^10 roundings of terms up to 4 times NOV */
         ok = gen_check(g, fabs(history[r.iterations - 1] - r.value) <= 0x1p-41 * (double)c.nov, "history ends at %.17g, value %.17g",
                        history[r.iterations - 1], r.value);
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }
 
@@ -540,25 +440,25 @@ verdict prop_optimum_find_stop(gen *g)
 /* One case in 8. */
 verdict prop_optimum_find_undetermined(gen *g)
 {
-    instance c;
+    optimum_case c;
     et_optimum_result r;
     et_vec3 dual[CLASSES], P[CLASSES];
     const et_doublenet control = {gen_between(g, 4, SIDE), gen_between(g, 4, SIDE)}, data = {gen_between(g, 2, 6), gen_between(g, 2, 6)};
     et_surface *const s = &c.fit.shell.view[ET_BOTTOM];
-    bool ok = allocate(&c, 3, 3, control, data);
+    bool ok = optimum_case_new(&c, 3, 3, control, data);
 
-    even_knots(s->u, s->nu, 3);
-    even_knots(s->v, s->nv, 3);
+    optimum_case_even(s->u, s->nu, 3);
+    optimum_case_even(s->v, s->nv, 3);
     for (size_t i = 0; i < data.nx; i++)    /* the later half of the data see the first span alone */
         c.fit.s[ET_BOTTOM][i] = i + 1 == data.nx ? 1 : (double)i / (double)data.nx * (gen_chance(g, 2) ? 0x1p-4 : 1);
-    qsort(c.fit.s[ET_BOTTOM], data.nx, sizeof(double), compare);
+    ascending(c.fit.s[ET_BOTTOM], data.nx);
     for (size_t j = 0; j < data.ny; j++)
         c.fit.r[ET_BOTTOM][j] = (double)j / (double)(data.ny - 1);
     for (size_t k = 0; k < c.nov; k++)
         c.data[k] = some_point(g, 1);
     for (size_t k = 0; k < c.n; k++)
         c.start[k] = some_point(g, 1);
-    close_shell(&c);
+    optimum_case_close(&c);
     ok = ok && gen_check(g, find(&c, &r, dual) == ET_OK, "not done") && owed(g, &c, &r, dual) && below_all(g, &c, r.lower, 1);
     ok = ok && gen_check(g, r.gap <= 1e-9 * fmax(1, r.value), "gap %g of %g", r.gap, r.value);
     et_shell_gather(P, c.n, &c.fit.shell);
@@ -570,14 +470,14 @@ verdict prop_optimum_find_undetermined(gen *g)
             seen = seen || (s->u[at.i] < c.fit.s[0][i] && c.fit.s[0][i] < s->u[at.i + 4]) || (at.i == 0 && c.fit.s[0][i] == 0) || at.i + 1 == s->nu;
         ok = gen_check(g, seen || memcmp(&P[k], &c.start[k], sizeof *P) == 0, "control point %zu has no data, and moved", k);
     }
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }
 
 /* Everything that must be refused is, and nothing is touched by it. */
 verdict prop_optimum_find_refuses(gen *g)
 {
-    instance c;
+    optimum_case c;
     et_optimum_result r = {1, 2, 3, 4, 5}, was = r;
     et_optimum_options o = et_optimum_defaults();
     et_vec3 dual[CLASSES] = {{7, 7, 7}};
@@ -612,7 +512,7 @@ verdict prop_optimum_find_refuses(gen *g)
     ok = ok && gen_check(g, find(&c, &r, dual) == ET_EINVAL, "parameters out of order");
     ok = ok && gen_check(g, memcmp(&r, &was, sizeof r) == 0 && dual[0].x == 7 && memcmp(&c.fit.shell.view[0].points[0], &point, sizeof point) == 0,
                          "outputs touched");
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }
 
@@ -624,7 +524,7 @@ verdict prop_optimum_bound(gen *g)
 {
     const bool tame = gen_chance(g, 2);
     const double size = ldexp(1, (int)gen_upto(g, 600) - 300);
-    instance c;
+    optimum_case c;
     et_optimum_result r;
     et_vec3 dual[CLASSES];
     double bound = -1, again = -1;
@@ -632,7 +532,7 @@ verdict prop_optimum_bound(gen *g)
     bool ok = draw(g, &c, tame);
 
     if (find(&c, &r, dual) != ET_OK) {
-        end(&c);
+        optimum_case_end(&c);
         return tame ? FAIL : SKIP;
     }
     k = gen_upto(g, c.nov - 1);
@@ -652,7 +552,7 @@ verdict prop_optimum_bound(gen *g)
     ok = ok && gen_check(g, et_optimum_bound(&again, dual, c.nov, &c.fit, c.data) == ET_OK && same(again, bound), "size matters: %a, %a", again, bound);
     dual[k].y = gen_chance(g, 2) ? NAN : -INFINITY;
     ok = ok && gen_check(g, et_optimum_bound(&again, dual, c.nov, &c.fit, c.data) == ET_OK && again == 0, "no number proves %a", again);
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }
 
@@ -660,12 +560,12 @@ verdict prop_optimum_bound(gen *g)
 verdict prop_optimum_bound_pair(gen *g)
 {
     const double a = (double)gen_upto(g, 64), b = (double)gen_upto(g, 64), slant = ldexp(1, -(int)gen_upto(g, 10));
-    instance c;
+    optimum_case c;
     et_vec3 y[6] = {{0, 0, 0}};
     double bound = -1;
     bool ok = medians(&c, 2);
 
-    close_shell(&c);
+    optimum_case_close(&c);
     c.data[0].x = a;
     c.data[2].x = a + b;
     y[0].x = -slant;
@@ -679,13 +579,13 @@ verdict prop_optimum_bound_pair(gen *g)
     y[0].x = slant;                        /* the wrong way round: negative, so 0 */
     y[2].x = -slant;
     ok = ok && gen_check(g, et_optimum_bound(&bound, y, c.nov, &c.fit, c.data) == ET_OK && bound == 0, "%a, not 0", bound);
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }
 
 verdict prop_optimum_bound_refuses(gen *g)
 {
-    instance c;
+    optimum_case c;
     et_vec3 y[CLASSES] = {{1, 0, 0}};
     double bound = 7;
     bool ok = draw(g, &c, true);
@@ -698,19 +598,19 @@ verdict prop_optimum_bound_refuses(gen *g)
     c.data[c.nov - 1].z = NAN;
     ok = ok && gen_check(g, et_optimum_bound(&bound, y, c.nov, &c.fit, c.data) == ET_EINVAL, "data not finite");
     ok = ok && gen_check(g, bound == 7, "touched");
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }
 
 /* ---- golden ---- */
 
-static bool read_instance(instance *c, size_t *at, const row *r)
+static bool read_case(optimum_case *c, size_t *at, const row *r)
 {
     const size_t p = row_size(r, 0), q = row_size(r, 1), nu = row_size(r, 2), nv = row_size(r, 3), nx = row_size(r, 4), ny = row_size(r, 5);
     et_surface *const s = &c->fit.shell.view[ET_BOTTOM];
 
     *at = 6;
-    if (nu > SIDE || nv > SIDE || nx > SIDE || ny > SIDE || !allocate(c, p, q, (et_doublenet){nu, nv}, (et_doublenet){nx, ny}))
+    if (nu > SIDE || nv > SIDE || nx > SIDE || ny > SIDE || !optimum_case_new(c, p, q, (et_doublenet){nu, nv}, (et_doublenet){nx, ny}))
         return false;
     for (size_t k = 0; k < nu + p + 1; k++)
         s->u[k] = row_real(r, (*at)++);
@@ -722,34 +622,34 @@ static bool read_instance(instance *c, size_t *at, const row *r)
         c->fit.r[ET_BOTTOM][k] = row_real(r, (*at)++);
     for (size_t k = 0; k < 3 * c->nov; k++)
         (&c->data[0].x)[k] = row_real(r, (*at)++);
-    close_shell(c);
+    optimum_case_close(c);
     return true;
 }
 
 /* From control points at 0. */
 verdict gold_optimum_find(const row *r)
 {
-    instance c;
+    optimum_case c;
     et_optimum_result result;
     size_t at;
-    bool ok = read_instance(&c, &at, r) && at == r->nargs && find(&c, &result, NULL) == ET_OK;
+    bool ok = read_case(&c, &at, r) && at == r->nargs && find(&c, &result, NULL) == ET_OK;
 
     ok = ok && row_is(r, 0, result.value) && row_is(r, 0, result.lower) && result.gap <= 2 * r->tolerance;
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }
 
 verdict gold_optimum_bound(const row *r)
 {
-    instance c;
+    optimum_case c;
     et_vec3 y[CLASSES];
     double bound = -1;
     size_t at;
-    bool ok = read_instance(&c, &at, r) && at + 3 * c.nov == r->nargs;
+    bool ok = read_case(&c, &at, r) && at + 3 * c.nov == r->nargs;
 
     for (size_t k = 0; ok && k < 3 * c.nov; k++)
         (&y[0].x)[k] = row_real(r, at + k);
     ok = ok && et_optimum_bound(&bound, y, c.nov, &c.fit, c.data) == ET_OK && row_is(r, 0, bound);
-    end(&c);
+    optimum_case_end(&c);
     return ok ? PASS : FAIL;
 }

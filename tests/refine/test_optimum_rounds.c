@@ -231,7 +231,7 @@ verdict prop_optimum_find_rounds(gen *g)
 typedef struct { gen *g; optimum_case c; et_optimum_result r; et_vec3 dual[OPTIMUM_CLASSES]; } refusal;
 
 static const char no_fit[] = "optimum: no closed polynomial fit of these data with equal parameters in both views";
-static const char no_shell[] = "optimum: the shell is not closed, or there are no parameters";
+static const char no_shell[] = "optimum: the shell is not glued along its border, or there are no parameters";
 
 /* Refused by both functions, in these words, and nothing touched. */
 static bool refused(refusal *k, const char *words)

@@ -76,8 +76,8 @@ void et_enclosure_free(et_enclosure *enclosure);
  * enclosure (may be null) is what et_enclosure_make gives for the new control points.  Coordinates that double-double cannot decide (ties, exact
  * zeros among data that are not all zero, condition numbers past about 1e10) are counted in `undecided`; there P is the double nearest to the
  * double-double.
- * Coordinates of data all zero are +0 with radius 0, corners that stand at the data's are those bit for bit.  Improved and joint shells are closed
- * bit for bit (et_shell_closed).
+ * Coordinates of data all zero are +0 with radius 0, corners that stand at the data's are those bit for bit.  Improved and joint shells are glued
+ * bit for bit (et_shell_glued).
  * Errors as et_enclosure_make, and ET_EFORMAT (overflow of the solution); then fit and enclosure are as they were. */
 /*@ requires valid:     \valid(fit) && \valid_read(options) && \valid_read(data + (0 .. nov - 1));
     requires enclosure: enclosure == \null || \valid(enclosure);

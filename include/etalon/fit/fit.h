@@ -69,7 +69,7 @@ et_fit_options et_fit_defaults(void);
  *                 corners are free, the corner control points the corner data: no optimum of anything, but closed;
  *   joint         the least sum over NOV classes of |D_c - (N P)_c|^2 in the NOV control classes.  QR: solved by orthogonal reduction to a problem in
  *                 the border's control points alone; cholesky and svd: one dense NOV x NOV' system.
- * Improved and joint shells are closed bit for bit (et_shell_closed).  The squares of the data must not overflow.
+ * Improved and joint shells are glued bit for bit (et_shell_glued), and closed unless parameters coincide at an end.  The squares of the data must not overflow.
  * ET_EINVAL (sizes, degrees, options; message), ET_ENOMEM, ET_ERANK (message names view, direction and rank), ET_EFORMAT (overflow of the solution).
  * The result is freed with et_fit_free. */
 /*@ requires valid:     \valid(fit) && \valid_read(options) && \valid_read(data + (0 .. nov - 1));

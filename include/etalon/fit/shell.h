@@ -8,7 +8,8 @@ extern "C" {
 #endif
 
 /* view[ET_BOTTOM], view[ET_TOP]: equal degrees and equal numbers of control points; rational both or neither.
- * Closed (gap-free by construction): equal knots and, on the border, equal control points and weights, bit for bit. */
+ * Glued: equal knots and, on the border, equal control points and weights, bit for bit.
+ * Closed (gap-free by construction): glued, and at each end exactly p+1 (q+1) equal knots, so that the border curves are the border's. */
 typedef struct { et_surface view[2]; } et_shell;
 
 /*@ predicate et_shell_same(et_shell *s) =
@@ -33,13 +34,25 @@ typedef struct { et_surface view[2]; } et_shell;
 */
 int et_shell_valid(const et_shell *shell);
 
-/* Valid, and closed as defined above: equal bits (0 and -0 differ).  Coincidence that is only geometric does not count.  1 or 0.
+/* Valid, and glued as defined above: equal bits (0 and -0 differ).  Coincidence that is only geometric does not count.  1 or 0.
  * Golden: none (a comparison of bits). */
 /*@ requires valid: \valid_read(shell) && et_shell_readable((et_shell *)shell);
     assigns \nothing;
     ensures boolean: \result == 0 || \result == 1;
     ensures same:    \result == 1 ==> et_shell_same((et_shell *)shell);
     ensures net:     \result == 1 ==> et_net_ok(shell->view[0].nu, shell->view[0].nv);
+*/
+int et_shell_glued(const et_shell *shell);
+
+/* Glued, and closed as defined above: no gap anywhere on the seam, not even a rounding error's.  1 or 0.
+ * Golden: none (comparisons). */
+/*@ requires valid: \valid_read(shell) && et_shell_readable((et_shell *)shell);
+    assigns \nothing;
+    ensures boolean: \result == 0 || \result == 1;
+    ensures same:    \result == 1 ==> et_shell_same((et_shell *)shell);
+    ensures net:     \result == 1 ==> et_net_ok(shell->view[0].nu, shell->view[0].nv);
+    ensures first:   \result == 1 ==> shell->view[0].u[0] == shell->view[0].u[shell->view[0].p] < shell->view[0].u[shell->view[0].p + 1] &&
+                                       shell->view[0].v[0] == shell->view[0].v[shell->view[0].q] < shell->view[0].v[shell->view[0].q + 1];
 */
 int et_shell_closed(const et_shell *shell);
 

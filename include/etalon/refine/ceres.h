@@ -46,7 +46,7 @@ et_ceres_options et_ceres_defaults(void);
  * history (null, or nhistory numbers): the least E seen up to each iteration, non-increasing; within rounding of `after` at the last.
  * options null: the defaults.  task is told iterations done of options->iterations; what it returns but ET_OK ends the search: the best
  * so far is delivered, and that status returned.
- * ET_EINVAL (null pointer, options out of range, shell not closed or rational, nov not NOV of fit->data, data not finite or so large that
+ * ET_EINVAL (null pointer, options out of range, shell not glued or rational, nov not NOV of fit->data, data not finite or so large that
  * E overflows), ET_ENOMEM, ET_EINTERNAL; outputs are then unchanged, but for history.
  * Golden: none (not of the bit-for-bit class; the property compares with optima known exactly and with another algorithm) */
 /*@ requires fit:       fit == \null || (\valid(fit) && et_fit_readable(fit));
@@ -81,7 +81,7 @@ et_status et_ceres_points(et_fit *fit, et_ceres_summary *summary, double *histor
  * of their start, 1 for a polynomial fit.  A parameter that starts at 0 or 1 stays there.  The problem is not convex: what is found is better than
  * the start, not best.  before and after are E at the parameters of each class, before at those of the fit: et_fit_measure's nov within
  * rounding, for the surface is evaluated as a rational one.  The rest as for et_ceres_points.
- * ET_EINVAL (null pointer, options out of range, shell not closed, nov or data as above), ET_ENOMEM, ET_EINTERNAL.
+ * ET_EINVAL (null pointer, options out of range, shell not glued, nov or data as above), ET_ENOMEM, ET_EINTERNAL.
  * Golden: none (not of the bit-for-bit class; the property measures the result by another evaluation) */
 /*@ requires fit:       fit == \null || (\valid(fit) && et_fit_readable(fit));
     requires uv:        uv == \null || \valid(uv + (0 .. 2 * nov - 1));

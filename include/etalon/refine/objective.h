@@ -11,7 +11,7 @@ extern "C" {
 
 typedef struct et_objective et_objective;                    /* opaque: basis values, layout and the last candidate's state */
 
-/* For a polynomial, closed fit with equal parameters in both views (improved and joint fits) and its data, D_c = data[c-1]; both are copied,
+/* For a polynomial, glued fit with equal parameters in both views (improved and joint fits) and its data, D_c = data[c-1]; both are copied,
  * fit and data may go.  Equal, bit for bit, to et_fit_measure's nov at the fit's own control points.  ET_EINVAL: a shell rational, open or not
  * valid, parameters of the views not equal, nov not that of fit->data, a null pointer.  ET_ENOMEM.  Golden: none (what it makes is opaque). */
 /*@ requires out:    \valid(objective);

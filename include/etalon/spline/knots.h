@@ -23,7 +23,8 @@ extern "C" {
 */
 int et_knots_valid(const double *u, size_t nu, size_t p);
 
-/* 1 if the first and the last p+1 knots are equal (the ends of the control polygon are the ends of the curve), else 0. */
+/* 1 if the first and the last p+1 knots are equal, else 0.  Where no further knot equals them the ends of the control polygon are the ends of the
+ * curve; a knot that stands more than p+1 times at an end leaves the outermost control point without a basis function. */
 /*@ requires count:   nu >= 2 * p + 2;
     requires knots:   \valid_read(u + (0 .. nu - 1));
     requires finite:  \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
