@@ -6,7 +6,6 @@
 #include "conform/judge_parts.h"
 #include "etalon/fit/knotrule.h"
 #include "etalon/fit/param.h"
-#include "etalon/fit/seam.h"
 #include "etalon/net/doublenet.h"
 #include "etalon/spline/basis.h"
 #include <math.h>
@@ -257,98 +256,4 @@ et_status answer_net(et_reply *reply, const et_request *request)
     }
     const double x[3] = { (double)n[0], (double)n[1], (double)n[2] };
     return et_reply_put(reply, x, 3);
-}
-
-/* ---- distances ---- */
-
-/* 2^-e, with the greatest magnitude below 2^e: in that unit squares neither overflow nor, where they matter, underflow; 1 in the range where they do
- * not anyway. */
-static double unit_of(double most)
-{
-    int e;
-
-    frexp(most, &e);
-    return most == 0 || (e < 500 && e > -400) ? 1 : ldexp(1, e < -1000 ? 1000 : -e);
-}
-
-static double greatest(const double *x, size_t n)
-{
-    double most = 0;
-
-    for (size_t i = 0; i < n; i++)
-        most = fmax(most, fabs(x[i]));
-    return most;
-}
-
-/* A copy in that unit. */
-static et_status scaled(et_surface *copy, const et_surface *s, double unit)
-{
-    const et_status status = et_surface_copy(copy, s);
-
-    for (size_t i = 0; status == ET_OK && i < s->nu * s->nv; i++)
-        copy->points[i] = (et_vec3){ unit * s->points[i].x, unit * s->points[i].y, unit * s->points[i].z };
-    return status;
-}
-
-static et_status distances(double *d, const et_surface *s, const et_request_value *a, double unit)
-{
-    et_vec3 *S = et_size_array(a[8].count, sizeof *S);
-    const et_status status = S ? et_surface_grid(S, s, a[6].x, a[6].count, a[7].x, a[7].count) : ET_ENOMEM;
-
-    for (size_t k = 0; status == ET_OK && k < a[8].count; k++) {
-        const double *D = a[8].x + 3 * k;
-        d[k] = et_vec3_distance(S[k], (et_vec3){ unit * D[0], unit * D[1], unit * D[2] });
-    }
-    free(S);
-    return status;
-}
-
-static et_status surface_error(et_reply *reply, const et_request *request)
-{
-    const et_request_value *a = request->arg;
-    const size_t n = a[8].count;
-    const double unit = unit_of(fmax(greatest(a[4].x, 3 * a[4].count), greatest(a[8].x, 3 * n)));
-    const et_surface s = surface_of(request, 0);
-    double *d = et_size_array(n, sizeof *d);
-    et_surface t;
-    et_status status = d ? scaled(&t, &s, unit) : ET_ENOMEM;
-
-    if (status == ET_OK) {
-        status = distances(d, &t, a, unit);
-        et_surface_free(&t);
-    }
-    if (status == ET_OK) {
-        const double answer[2] = { et_real_sum(d, n) / unit, greatest(d, n) / unit };
-        status = et_reply_put(reply, answer, 2);
-    }
-    free(d);
-    return status;
-}
-
-static et_status seam_gap(et_reply *reply, const et_request *request)
-{
-    const et_request_value *a = request->arg;
-    const double unit = unit_of(fmax(greatest(a[4].x, 3 * a[4].count), greatest(a[10].x, 3 * a[10].count)));
-    const et_surface s = surface_of(request, 0), t = surface_of(request, 6);
-    et_shell shell;
-    et_seam gap;
-    et_status status = scaled(&shell.view[0], &s, unit);
-
-    if (status != ET_OK)
-        return status;
-    status = scaled(&shell.view[1], &t, unit);
-    if (status == ET_OK) {
-        status = et_seam_gap(&gap, &shell, a[12].count);
-        et_surface_free(&shell.view[1]);
-    }
-    et_surface_free(&shell.view[0]);
-    if (status != ET_OK)
-        return status;
-    gap.distance /= unit;
-    return et_reply_put(reply, &gap.distance, 1);
-}
-
-et_status answer_measure(et_reply *reply, const et_request *request)
-{
-    return request->op == ET_OP_SURFACE_ERROR ? surface_error(reply, request) : seam_gap(reply, request);
 }
