@@ -184,7 +184,18 @@ int judge_at_knot(const et_request *request)
 
 static int differ(const judge_list *a, const judge_list *b)
 {
-    return a->count != b->count || (a->count > 0 && memcmp(a->want, b->want, a->count * sizeof *a->want) != 0);
+    return a->count > 0 && memcmp(a->want, b->want, a->count * sizeof *a->want) != 0;
+}
+
+/* A normal that only one of the limits has: whoever takes the other finds none, so that there is no right value. */
+static void neither(judge_list *right, judge_list *left)
+{
+    const char *doubt = right->count == 0 ? right->doubt : left->doubt;
+
+    judge_list_free(right);
+    judge_list_free(left);
+    right->doubt = doubt;
+    right->condition = 1;
 }
 
 /* Both limits, if they differ. */
@@ -201,6 +212,8 @@ static et_status limits(judge_list *right, judge_list *left, const et_request *r
     status = judge_limits(left, request, side[0], side[1]);
     if (status != ET_OK)
         judge_list_free(right);
+    else if (right->count != left->count)
+        neither(right, left);
     else if (!differ(right, left))
         judge_list_free(left);
     return status;
@@ -214,7 +227,7 @@ static void set_reason(char reason[128], const char *text)
 /* Why a function of the exact layer has no answer to what looked valid. */
 static void refuse(et_truth *truth, et_status status)
 {
-    truth->validity = status == ET_ERANK ? ET_INVALID : truth->validity == ET_VALID ? ET_IMPLEMENTATION_DEFINED : truth->validity;
+    truth->validity = status == ET_ERANK ? ET_INVALID : ET_IMPLEMENTATION_DEFINED;
     set_reason(truth->reason, status == ET_ERANK ? "the fit is rank deficient" : "no number within the range of doubles");
 }
 
@@ -228,12 +241,12 @@ et_status et_judge_truth(et_truth *truth, const et_request *request)
     made.validity = c.validity;
     made.condition = 1;
     set_reason(made.reason, c.reason);
-    if (c.known && c.validity != ET_INVALID) {
+    if (c.known) {
         const et_status status = limits(&right, &left, request);
-        if (status == ET_EINVAL || status == ET_ERANK || status == ET_EFORMAT) {
-            refuse(&made, status);
-        } else if (status != ET_OK) {
+        if (status == ET_ENOMEM || status == ET_ENOCONV) {
             return status;
+        } else if (status != ET_OK) {
+            refuse(&made, status);
         } else {
             const char *doubt = right.doubt ? right.doubt : left.doubt;
             made.count = right.count;
@@ -268,7 +281,7 @@ et_validity et_judge_validity(char reason[128], const et_request *request)
     judge_list list;
 
     judge_valid(&c, request);
-    if (request->op == ET_OP_FIT_SCATTERED && c.validity != ET_INVALID && c.known) {
+    if (request->op == ET_OP_FIT_SCATTERED && c.known) {
         if (judge_limits(&list, request, 0, 0) == ET_ERANK) {
             c.validity = ET_INVALID;
             set_reason(c.reason, "the fit is rank deficient");

@@ -233,7 +233,8 @@ static et_status sample(double *most_of_all, const et_surface s[2], double x, do
     return ET_OK;
 }
 
-/* All samples of both borders that run along one direction, whose knots are u of the one and other of the other surface. */
+/* All samples of both borders that run along one direction, at the knots of both surfaces in their order.  Both end at 1, and of equal knots the first
+ * surface's comes first: the other's are the last to end. */
 static et_status borders(double *most_of_all, const et_surface s[2], int v, size_t samples, double K)
 {
     const double *u[2] = { v ? s[0].v + s[0].q : s[0].u + s[0].p, v ? s[1].v + s[1].q : s[1].u + s[1].p };
@@ -242,8 +243,8 @@ static et_status borders(double *most_of_all, const et_surface s[2], int v, size
     double last = 0;
     et_status status = ET_OK;
 
-    while (status == ET_OK && (at[0] <= n || at[1] <= n)) {
-        const size_t k = at[1] > n || (at[0] <= n && u[0][at[0]] <= u[1][at[1]]) ? 0 : 1;
+    while (status == ET_OK && at[1] <= n) {
+        const size_t k = at[0] <= n && u[0][at[0]] <= u[1][at[1]] ? 0 : 1;
         const double next = u[k][at[k]++];
         for (size_t i = 0; status == ET_OK && i <= samples; i++) {
             const double t = i == samples ? next : last + (next - last) * ((double)(i + 1) / (double)(samples + 1));

@@ -38,13 +38,9 @@ static void name_partial(char *name, size_t size, size_t at, size_t c)
     }
 }
 
-/* A list of n numbers of `width` each behind its count: 1 if number *at is of it, else *at is moved behind it. */
+/* A list of n numbers of `width` each behind its count, which is not named: 1 if number *at is of it, else *at is moved behind it. */
 static int in_list(char *name, size_t size, size_t *at, size_t n, size_t width, const char *what)
 {
-    if (*at == 0) {
-        snprintf(name, size, "the number of %ss", what);
-        return 1;
-    }
     if (*at <= n * width) {
         const size_t i = (*at - 1) / width;
         if (width == 3)
@@ -57,16 +53,11 @@ static int in_list(char *name, size_t size, size_t *at, size_t n, size_t width, 
     return 0;
 }
 
-/* Of `p u[] P{} w[]` or `p q u[] v[] P{} w[]`, want being the whole answer. */
+/* Of `p u[] P{} w[]` or `p q u[] v[] P{} w[]`, want being the whole answer.  Degrees and counts are compared before, with words of their own. */
 static void name_shape(char *name, size_t size, const double *want, size_t at, int surface)
 {
-    size_t rest = at;
+    size_t rest = surface ? at - 2 : at - 1;
 
-    for (int k = 0; k <= surface; k++)
-        if (rest-- == 0) {
-            snprintf(name, size, "the degree%s", surface ? k == 0 ? " in u" : " in v" : "");
-            return;
-        }
     for (int k = 0; k <= surface; k++)
         if (in_list(name, size, &rest, (size_t)want[at - rest], 1, surface ? k == 0 ? "u-knot" : "v-knot" : "knot"))
             return;

@@ -8,7 +8,7 @@
 enum { JUDGE_ANY = 0, JUDGE_RIGHT, JUDGE_LEFT };
 enum { JUDGE_DEGREE = 64, JUDGE_ORDER = 12, JUDGE_SAMPLES = 100, JUDGE_NUMBERS = 1000000 };
 
-/* known: where it is not valid, there is a right value all the same (implementation-defined only). */
+/* known: where it is not valid, there is a right value all the same (implementation-defined only, never of what is invalid). */
 typedef struct {
     et_validity validity;
     int known;

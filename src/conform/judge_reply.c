@@ -90,23 +90,23 @@ static void better(et_judgement *judgement, const et_judgement *other)
         *judgement = *other;
 }
 
-/* From the right in one direction and from the left in the other. */
+/* From the right in one direction and from the left in the other; where there is no normal, any answer will do. */
 static et_status mixed(et_judgement *judgement, const et_request *request, const et_reply *reply)
 {
     et_status status = ET_OK;
 
-    for (int k = 0; status == ET_OK && k < 2 && et_judge_bad(judgement->verdict); k++) {
+    for (int k = 0; status == ET_OK && k < 2 && judgement->verdict != ET_VERDICT_CORRECTLY_ROUNDED; k++) {
         judge_list list;
         int left[2];
         judge_sides(left, request, k, !k);
         status = judge_limits(&list, request, left[0], left[1]);
-        if (status == ET_OK && list.count == reply->count) {
-            et_judgement j;
-            judge_compare(&j, request, reply->x, list.want, list.bound, list.count);
+        if (status == ET_OK) {
+            et_judgement j = begin(ET_VERDICT_WITHIN_BOUND);
+            if (list.count == reply->count)
+                judge_compare(&j, request, reply->x, list.want, list.bound, list.count);
             better(judgement, &j);
-        }
-        if (status == ET_OK)
             judge_list_free(&list);
+        }
     }
     return status == ET_ENOMEM ? status : ET_OK;
 }
@@ -133,6 +133,17 @@ static et_status numbers(et_judgement *judgement, const et_request *request, con
 
 /* ---- all ---- */
 
+/* Whether the numbers of a truth, which may have been read from anywhere, can be those of this request: what follows relies on its knots and its
+ * counts. */
+static int can_be(const et_request *request, const et_truth *truth)
+{
+    const size_t n = request->op == ET_OP_CURVE_NEAREST ? 2 : request->op == ET_OP_SURFACE_NEAREST ? 3 : truth->count;
+    judge_case c;
+
+    judge_valid(&c, request);
+    return c.validity != ET_INVALID && truth->count == n;
+}
+
 static et_status answered(et_judgement *j, const et_request *request, const et_truth *truth, const et_reply *reply)
 {
     if (truth->validity == ET_INVALID) {
@@ -145,6 +156,8 @@ static et_status answered(et_judgement *j, const et_request *request, const et_t
         j->verdict = ET_VERDICT_WITHIN_BOUND;
         return ET_OK;
     }
+    if (!can_be(request, truth))
+        return ET_EINVAL;
     switch (request->op) {
     case ET_OP_CURVE_INSERT: case ET_OP_CURVE_ELEVATE: case ET_OP_SURFACE_INSERT: case ET_OP_SURFACE_ELEVATE:
         return judge_edit(j, request, truth, reply);

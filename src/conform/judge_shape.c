@@ -53,16 +53,20 @@ static int same_sizes(et_judgement *j, const judge_shape *got, const judge_shape
     return 1;
 }
 
-/* The factor that weights have in common beside those wanted, by the greatest. */
-static double common_factor(const double *got, const double *want, size_t n)
+/* The factor that weights have in common beside those wanted, by the greatest, is taken out of them. */
+static void take_factor(double *got, const double *want, size_t n)
 {
     size_t greatest = 0;
 
     for (size_t i = 1; i < n; i++)
         if (want[i] > want[greatest])
             greatest = i;
-    const double f = got[greatest] / want[greatest];
-    return f > 0 && isfinite(f) ? f : 1;
+    const double g = got[greatest], w = want[greatest], f = g / w;
+    if (!(g > 0 && isfinite(g)) || f == 1)
+        return;
+    /* Where the factor itself would lose digits, or be none, it is taken out in two steps. */
+    for (size_t i = 0; i < n; i++)
+        got[i] = f >= 0x1p-1000 && f <= 0x1p1000 ? got[i] / f : got[i] / g * w;
 }
 
 /* The same weights, or all equal and none. */
@@ -74,15 +78,13 @@ static et_status match_weights(judge_shape *got, const judge_shape *want, double
 
     if (wanted && !*w) {
         *w = et_size_array(n, sizeof **w);
-        for (size_t i = 0; *w && i < n; i++)
-            (*w)[i] = 1;
         if (!*w)
             return ET_ENOMEM;
+        for (size_t i = 0; i < n; i++)
+            (*w)[i] = 1;
     }
     if (wanted) {
-        const double f = common_factor(*w, wanted, n);
-        for (size_t i = 0; f != 1 && i < n; i++)
-            (*w)[i] /= f;
+        take_factor(*w, wanted, n);
         return ET_OK;
     }
     for (size_t i = 0; *w && i < n; i++)
@@ -282,20 +284,19 @@ static et_status moved_points(double *moved, const removal *r, const judge_shape
     return ET_OK;
 }
 
-/* Two points, correctly rounded: how far they are apart. */
-static et_status apart(double *distance, const judge_shape *a, const judge_shape *b, const double x[2], const int left[2])
+static et_status point(et_vec3 *P, const judge_shape *f, const double x[2], const int left[2])
+{
+    const et_side s[2] = { left[0] ? ET_SIDE_LEFT : ET_SIDE_RIGHT, left[1] ? ET_SIDE_LEFT : ET_SIDE_RIGHT };
+
+    return f->curve ? et_exact_curve_ders_side(P, 0, &f->c, x[0], s[0]) : et_exact_surface_partials(P, 0, &f->s, x[0], x[1], s[0], s[1]);
+}
+
+/* Two points, correctly rounded: how far they are apart.  0 where that cannot be told: it proves nothing. */
+static double apart(const judge_shape *a, const judge_shape *b, const double x[2], const int left[2])
 {
     et_vec3 A, B;
-    const et_side s[2] = { left[0] ? ET_SIDE_LEFT : ET_SIDE_RIGHT, left[1] ? ET_SIDE_LEFT : ET_SIDE_RIGHT };
-    et_status status = a->curve ? et_exact_curve_ders_side(&A, 0, &a->c, x[0], s[0])
-                                : et_exact_surface_partials(&A, 0, &a->s, x[0], x[1], s[0], s[1]);
 
-    if (status == ET_OK)
-        status = b->curve ? et_exact_curve_ders_side(&B, 0, &b->c, x[0], s[0])
-                          : et_exact_surface_partials(&B, 0, &b->s, x[0], x[1], s[0], s[1]);
-    if (status == ET_OK)
-        *distance = et_exact_vec3_distance(A, B);
-    return status;
+    return point(&A, a, x, left) == ET_OK && point(&B, b, x, left) == ET_OK ? et_exact_vec3_distance(A, B) : 0;
 }
 
 /* Sample i of a span [a,b]: 0 its left end, from inside, 2p + 2 its right end. */
@@ -330,42 +331,39 @@ static int suspect(const removal *r, const across *a, const double *moved, size_
 }
 
 /* The greatest distance at the samples of a span. */
-static et_status sample_span(double *most, const removal *r, const across *a, const judge_shape *got, size_t k, size_t l)
+static double sample_span(const removal *r, const across *a, const judge_shape *got, size_t k, size_t l)
 {
     const int v = !r->f.curve && r->e.along == ET_ALONG_V;
-    et_status status = ET_OK;
+    double most = 0;
 
-    for (size_t i = 0; status == ET_OK && i <= 2 * r->p + 2; i++)
-        for (size_t j = 0; status == ET_OK && j <= (a->t ? 2 * a->q + 2 : 0); j++) {
+    for (size_t i = 0; i <= 2 * r->p + 2; i++)
+        for (size_t j = 0; j <= (a->t ? 2 * a->q + 2 : 0); j++) {
             int along, other = 0;
             const double x = sample(&along, r->u[k], r->u[k + 1], i, r->p), y = a->t ? sample(&other, a->t[l], a->t[l + 1], j, a->q) : 0;
             const double at[2] = { v ? y : x, v ? x : y };
             const int left[2] = { v ? other : along, v ? along : other };
-            double d = 0;
-            status = apart(&d, &r->f, got, at, left);
-            *most = fmax(*most, d);
+            most = fmax(most, apart(&r->f, got, at, left));
         }
-    return status;
+    return most;
 }
 
 /* The greatest distance seen in the spans where control points have moved too far, until one is proved. */
-static et_status moved_at_least(double *most, const removal *r, const judge_shape *got, const double *moved)
+static double moved_at_least(const removal *r, const judge_shape *got, const double *moved)
 {
     const across a = across_of(r);
-    et_status status = ET_OK;
+    double most = 0;
 
-    *most = 0;
-    for (size_t k = r->p; status == ET_OK && k < r->n; k++)
-        for (size_t l = a.q; status == ET_OK && l < a.n && *most <= r->allowed + r->slack; l++)
+    for (size_t k = r->p; k < r->n; k++)
+        for (size_t l = a.q; l < a.n && most <= r->allowed + r->slack; l++)
             if (r->u[k] < r->u[k + 1] && (!a.t || a.t[l] < a.t[l + 1]) && suspect(r, &a, moved, k, l))
-                status = sample_span(most, r, &a, got, k, l);
-    return status == ET_ENOMEM ? status : ET_OK;
+                most = fmax(most, sample_span(r, &a, got, k, l));
+    return most;
 }
 
 static et_status proofs(et_judgement *j, const removal *r, const judge_shape *got, double *moved)
 {
-    double most = 0, least;
-    et_status status = moved_points(moved, r, got);
+    double most = 0;
+    const et_status status = moved_points(moved, r, got);
 
     for (size_t i = 0; i < judge_shape_size(&r->f); i++)
         most = fmax(most, isnan(moved[i]) ? INFINITY : moved[i]);
@@ -376,14 +374,14 @@ static et_status proofs(et_judgement *j, const removal *r, const judge_shape *go
     j->ratio = most > 0 ? fmin(most / r->allowed, 1) : 0;
     if (most <= r->allowed)
         return ET_OK;
-    status = moved_at_least(&least, r, got, moved);
-    if (status == ET_OK && least > r->allowed + r->slack) {
+    const double least = moved_at_least(r, got, moved);
+    if (least > r->allowed + r->slack) {
         j->ratio = (least - r->e.tolerance) / r->slack;
         j->got = least;
         judge_say(j, j->ratio <= 0x1p20 ? ET_VERDICT_INACCURATE : ET_VERDICT_WRONG, "after removal a point is %.6g away, allowed are %.6g", least,
                   r->allowed);
     }
-    return status;
+    return ET_OK;
 }
 
 /* Whether it is, to the bit, the exact result. */

@@ -194,12 +194,10 @@ static void put_normal(judge_list *list, const et_vec3 *n, const et_vec3 D[3], c
 
 static void mirror_knots(double *u, size_t nu)
 {
-    for (size_t i = 0, j = nu - 1; i <= j; i++, j--) {
+    for (size_t i = 0; i < nu - i; i++) {
         const double x = -u[i];
-        u[i] = -u[j];
-        u[j] = x;
-        if (j == 0)
-            break;
+        u[i] = -u[nu - 1 - i];
+        u[nu - 1 - i] = x;
     }
 }
 

@@ -16,7 +16,7 @@ static void fault(judge_case *c, et_validity validity, int known, const char *fo
         va_end(arguments);
         c->validity = validity;
     }
-    c->known = c->known && known && validity != ET_INVALID;
+    c->known = c->known && known;
 }
 
 static void invalid(judge_case *c, const char *reason)
@@ -365,7 +365,7 @@ static int lives(const et_request_value *k, size_t p, size_t i, double t)
     if (u[i] < t && t < u[i + p + 1])
         return 1;
     if (t == u[k->count - p - 1])
-        return u[i] < t && t == u[i + 1] && t == u[i + p + 1];
+        return u[i] < t && t == u[i + 1];
     return t == u[i] && t == u[i + p] && t < u[i + p + 1];
 }
 
