@@ -48,7 +48,7 @@ size_t campaign_spans(campaign_maker *m, size_t axis)
     if (m->category == ET_CATEGORY_SIZE) {
         const int fit = m->op == ET_OP_FIT_CURVE || m->op == ET_OP_FIT_GRID || m->op == ET_OP_FIT_SCATTERED;
         const int hard = fit || m->op == ET_OP_CURVE_NEAREST || m->op == ET_OP_SURFACE_NEAREST;
-        const size_t most = m->layout->axes == 0 ? 1500 : m->layout->axes == 1 ? (hard ? 60 : m->layout->net[0] >= 0 ? 1200 : 2500) : hard ? 7 : 20;
+        const size_t most = m->layout->axes == 1 ? (hard ? 60 : m->layout->net[0] >= 0 ? 1200 : 2500) : hard ? 7 : 20;
         return most / 4 + campaign_pick(m, most - most / 4);
     }
     if (m->category == ET_CATEGORY_NEAR_KNOTS || m->category == ET_CATEGORY_REPEATED_KNOTS || m->exact) {

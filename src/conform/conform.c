@@ -189,8 +189,6 @@ static et_status relate(conform_run *run, size_t relation, uint64_t number)
 
     memset(&c, 0, sizeof c);
     et_status status = et_campaign_relate(&c.judgement, &c.request, relation, run->options->seed, number, run->hello, ask_related, &r);
-    if (status == ET_EINVAL || status == ET_ENOCONV)
-        return ET_OK;
     if (status != ET_OK)
         return status;
     if (c.judgement.verdict != ET_VERDICT_UNSUPPORTED) {

@@ -120,7 +120,7 @@ static size_t calls_for(const conform_run *run, const shrinking *s)
     return s->verdict == ET_VERDICT_NONDETERMINISTIC ? CALLS_ANEW : CALLS;
 }
 
-/* What is told of the smallest request, if it fails once more. */
+/* What is told of the smallest request, which the exact layer has decided before, if it fails once more. */
 static et_status tell_shrunk(et_conform_finding *f, shrinking *s, const et_request *request)
 {
     conform_case c;
@@ -133,7 +133,7 @@ static et_status tell_shrunk(et_conform_finding *f, shrinking *s, const et_reque
             status = print_reply(&f->shrunk_reply, &c.reply);
     }
     conform_free_case(&c);
-    return status == ET_ENOCONV ? ET_OK : status;
+    return status;
 }
 
 /* The rows of crashes and timeouts are those of the run, not of the shrinking.  A fault that does not come again (it came from what was asked
