@@ -159,7 +159,8 @@ bits:
 	@sh tests/deps.sh $(PACKAGES_BITS) || echo "what needs them fails below"
 	@sh tests/bits.sh $(BUILD) $(PARTS)
 # Memory refused at every request, of the functions and of the command; a disk that is full at every write.
-WRAP := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=posix_memalign,--wrap=free,--wrap=_Znwm,--wrap=et_size_mul,--wrap=linalg_fits,$(subst $() ,$(comma),$(patsubst %,--wrap=LAPACKE_%,dgeqp3 dpotrf dpocon dpotrs dgelsd_work dpbtrf dpbcon dtbcon))
+WRAP := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=posix_memalign,--wrap=free,--wrap=_Znwm,--wrap=strdup,--wrap=newlocale,--wrap=et_size_mul,--wrap=linalg_fits,$(subst $() ,$(comma),$(patsubst %,--wrap=LAPACKE_%,dgeqp3 dpotrf dpocon dpotrs dgelsd_work dpbtrf dpbcon dtbcon) \
+	$(patsubst %,--wrap=posix_spawn%,_file_actions_init _file_actions_adddup2 _file_actions_addclose attr_init attr_setflags attr_setpgroup attr_setsigdefault attr_setsigmask))
 $(B)/memory: $(B)/tests/faults/memory.c.o $(LEAVING) $(B)/libetalon.a
 	$(CC) $(CFLAGS) $(LDFLAGS) $(WRAP) -o $@ $^ $(LDLIBS)
 faults: $(B)/memory $(B)/etalon

@@ -31,9 +31,10 @@ struct et_peer {
 
 static double now(void)
 {
-    struct timespec t;
+    struct timespec t = { 0, 0 };
 
-    return clock_gettime(CLOCK_MONOTONIC, &t) == 0 ? (double)t.tv_sec + 1e-9 * (double)t.tv_nsec : 0.0;
+    (void)clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 static void tell(const et_peer *peer, char what, const char *text, size_t length)
@@ -155,7 +156,8 @@ static et_status begin(et_peer *peer, et_message *message)
     return ET_OK;
 }
 
-/* 1 if the program has ended; it stays a zombie, so that its number, and its group's, remain its own.  *info is then set. */
+/* 1 if the program has ended; it stays a zombie, so that its number, and its group's, remain its own.  *info is then set, or, where a program around
+ * us ignores SIGCHLD, so that nobody can know how its children end, zero. */
 static int ended(const et_peer *peer, siginfo_t *info)
 {
     memset(info, 0, sizeof *info);
@@ -197,6 +199,8 @@ static et_asked crash(const et_peer *peer, et_message *text)
 
     if (!ends(peer, &info, 0.5))
         et_status_fail(text, ET_OK, "it closed its input or its output instead of replying");
+    else if (info.si_pid == 0)
+        et_status_fail(text, ET_OK, "it ended instead of replying");
     else if (info.si_code == CLD_EXITED && info.si_status > 128 && info.si_status < 160)
         et_status_fail(text, ET_OK, "it ended with exit code %d, which is signal %d (%s)", info.si_status, info.si_status - 128,
                        strsignal(info.si_status - 128));
@@ -208,6 +212,12 @@ static et_asked crash(const et_peer *peer, et_message *text)
 }
 
 /* ---- a line there, a line back ---- */
+
+/* Of a call that failed: it may be tried again. */
+static int may_pass(int error)
+{
+    return error == EAGAIN || error == EINTR;
+}
 
 typedef struct {
     const char *line;                     /* with its end */
@@ -243,7 +253,7 @@ static void write_some(et_peer *peer, exchange *e)
 
     if (n > 0)
         e->written += (size_t)n;
-    else if (n < 0 && errno != EAGAIN && errno != EINTR)
+    else if (n < 0 && !may_pass(errno))
         e->deaf = 1;
 }
 
@@ -261,7 +271,7 @@ static came read_some(et_peer *peer)
     }
     const ssize_t n = read(peer->out, peer->read + peer->length, CHUNK);
     if (n < 0)
-        return errno == EAGAIN || errno == EINTR ? NOTHING : CLOSED;
+        return may_pass(errno) ? NOTHING : CLOSED;
     if (n == 0)
         return CLOSED;
     tell(peer, '<', peer->read + peer->length, (size_t)n);
@@ -287,7 +297,7 @@ static et_status turn(et_peer *peer, exchange *e, int *open)
     came c = CAME;
 
     if (n < 0)
-        return errno == EINTR || errno == EAGAIN ? ET_OK : ET_EIO;
+        return may_pass(errno) ? ET_OK : ET_EIO;
     if (fd[1].revents)
         write_some(peer, e);
     if (fd[0].revents)
