@@ -21,7 +21,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { RUNS = 1000, SECONDS = 240, SHRINK_CALLS = 100000, AT_ONCE = 8, PATH = 1024 };
+enum { RUNS = 1000, SECONDS = 240, SHRINK_CALLS = 100000, AT_ONCE = 6, WINDOW = 48, PATH = 1024 };
 
 /* Shared by parent and child: what a crash leaves behind. */
 typedef struct {
@@ -37,6 +37,7 @@ typedef struct {
     const property *p;
     board *b;
     pid_t child;
+    int status;                          /* the child's, once it has ended */
     uint64_t seed;
     size_t runs;
     const uint8_t *bytes;
@@ -44,7 +45,7 @@ typedef struct {
     const char *path;
 } job;
 
-static board *shared;                    /* AT_ONCE of them */
+static board *shared;                    /* WINDOW of them */
 static bool verbose, tabular;
 static unsigned seconds;                 /* a property may take, ET_SECONDS */
 static size_t passed, failed;
@@ -290,7 +291,7 @@ static void start_property(job *j)
 static void finish_property(job *j)
 {
     board *b = j->b;
-    const char *how = ending(b, await(j));
+    const char *how = ending(b, j->status);
 
     if (how || b->result == FAIL) {
         failed++;
@@ -450,10 +451,55 @@ static bool belongs(const char *name, const char *wanted)
     return strncmp(name, wanted, n) == 0 && (name[n] == '\0' || name[n] == '_');
 }
 
+/* One of the jobs first .. behind - 1 that still run has ended. */
+static void await_any(job *jobs, size_t first, size_t behind)
+{
+    int status;
+    const pid_t child = waitpid(-1, &status, 0);
+
+    for (size_t i = first; i < behind; i++) {
+        job *j = &jobs[i % WINDOW];
+        if (j->child > 0 && (child == j->child || child < 0)) {
+            j->status = child < 0 ? -1 : status;
+            j->child = 0;
+        }
+    }
+}
+
+static size_t running(const job *jobs, size_t first, size_t behind)
+{
+    size_t n = 0;
+
+    for (size_t i = first; i < behind; i++)
+        n += jobs[i % WINDOW].child > 0;
+    return n;
+}
+
+/* A few at once, the next as soon as one has ended; told in their order, so that at most WINDOW wait to be told. */
+static void random_run(const property **wanted, size_t n, uint64_t seed, size_t runs)
+{
+    static job jobs[WINDOW];
+    size_t begun = 0, told = 0;
+
+    while (told < n) {
+        while (begun < n && begun - told < WINDOW && running(jobs, told, begun) < AT_ONCE) {
+            job *j = &jobs[begun % WINDOW];
+            *j = (job){ .p = wanted[begun], .b = shared + begun % WINDOW, .status = -1, .seed = seed };
+            j->runs = (runs + j->p->in - 1) / j->p->in;
+            start_property(j);
+            begun++;
+        }
+        if (jobs[told % WINDOW].child > 0)
+            await_any(jobs, told, begun);
+        else
+            finish_property(&jobs[told++ % WINDOW]);
+    }
+}
+
 static void random_all(char **names, size_t n, uint64_t seed, size_t runs)
 {
-    job jobs[AT_ONCE];
-    size_t begun = 0;
+    const property **wanted;
+    size_t count = 0;
 
     for (size_t i = 0; i < n; i++) {
         bool known = false;
@@ -463,21 +509,23 @@ static void random_all(char **names, size_t n, uint64_t seed, size_t runs)
         if (!known)
             printf("FAIL %s: no property of this name\n", names[i]);
     }
-    /* A few at once; told in their order. */
-    for (const property *p = properties; p->name; p++) {
-        bool wanted = n == 0;
-        for (size_t i = 0; i < n; i++)
-            wanted |= belongs(p->name, names[i]);
-        if (!wanted)
-            continue;
-        if (begun >= AT_ONCE)
-            finish_property(&jobs[begun % AT_ONCE]);
-        jobs[begun % AT_ONCE] = (job){ .p = p, .b = shared + begun % AT_ONCE, .seed = seed, .runs = (runs + p->in - 1) / p->in };
-        start_property(&jobs[begun % AT_ONCE]);
-        begun++;
+    for (const property *p = properties; p->name; p++)
+        count++;
+    wanted = malloc((count + 1) * sizeof *wanted);
+    if (!wanted) {
+        perror("check");
+        exit(2);
     }
-    for (size_t i = begun < AT_ONCE ? 0 : begun - AT_ONCE; i < begun; i++)
-        finish_property(&jobs[i % AT_ONCE]);
+    count = 0;
+    for (const property *p = properties; p->name; p++) {
+        bool is = n == 0;
+        for (size_t i = 0; i < n; i++)
+            is |= belongs(p->name, names[i]);
+        if (is)
+            wanted[count++] = p;
+    }
+    random_run(wanted, count, seed, runs);
+    free(wanted);
 }
 
 static unsigned long long setting(const char *name, unsigned long long usual)
@@ -540,7 +588,7 @@ int main(int argc, char **argv)
     seconds = (unsigned)setting("ET_SECONDS", SECONDS);
     snprintf(program_dir, sizeof program_dir, "%.*s", (int)(strrchr(argv[0], '/') ? strrchr(argv[0], '/') - argv[0] : 1),
              strrchr(argv[0], '/') ? argv[0] : ".");
-    shared = share(AT_ONCE * sizeof *shared);
+    shared = share(WINDOW * sizeof *shared);
     if (!shared)
         return perror("check: shared memory"), 2;
     for (; i < argc && argv[i][0] == '-' && argv[i][1] != '-'; i++)
