@@ -153,7 +153,7 @@ int campaign_offered(const et_request *q, const et_hello *hello)
     }
     if (q->op == ET_OP_CURVE_ELEVATE || q->op == ET_OP_SURFACE_ELEVATE) {
         const size_t p = q->arg[l->along >= 0 && q->arg[l->along].count == 1 ? 1 : 0].count, r = q->arg[l->times].count;
-        ok = ok && p <= hello->degree && r <= hello->degree - p;
+        ok = ok && r <= hello->degree - p;                 /* p is the degree of an axis, seen above */
     }
     return ok;
 }

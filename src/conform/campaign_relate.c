@@ -108,7 +108,7 @@ double *campaign_bounds(campaign_relation *r, size_t *n, const et_request *q)
             bound[i] += fabs(truth.want[i] - truth.other[i]) + truth.other_bound[i];
         }
     }
-    const int right = truth.validity == ET_VALID && truth.count > 0;
+    const int right = truth.validity == ET_VALID;          /* then something is wanted */
     et_judge_free(&truth);
     if (!bound) {
         campaign_fail(r, ET_ENOMEM);

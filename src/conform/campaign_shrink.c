@@ -184,7 +184,7 @@ static int degrees(campaign_shrinker *s)
                     return progress;
                 }
                 for (size_t k = 0; k < l->axes; k++) {
-                    if (l->axis[k].degree >= 0 && (from == 0 || from == k + 1) && c.arg[l->axis[k].degree].count > p) {
+                    if ((from == 0 || from == k + 1) && c.arg[l->axis[k].degree].count > p) {
                         lower(&c, k, p, how);
                     }
                 }

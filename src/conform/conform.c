@@ -166,7 +166,8 @@ static et_status ask_related(void *context, et_reply *reply, const et_request *r
 {
     relating *r = context;
 
-    if (!offered(r->run, request->op) || !campaign_offered(request, r->run->hello) || conform_given_up(r->run, request->op)) {
+    /* What hello does not offer is not asked by a relation. */
+    if (!wanted(r->run, request->op) || conform_given_up(r->run, request->op)) {
         memset(reply, 0, sizeof *reply);
         reply->kind = ET_REPLY_UNSUPPORTED;
         return ET_OK;

@@ -226,6 +226,17 @@ static int between(void *context, const et_request *q)
     return u->count >= 2 && u->x[0] < q->arg[2].x[0] && q->arg[2].x[0] < u->x[u->count - 1];
 }
 
+/* The knots 3, 5 and the parameter 4 in units of 2^-1074: halves of the knots are one number. */
+static int least_numbers(void *context, const et_request *q)
+{
+    return between(context, q) && q->arg[1].x[0] == 0x3p-1074 && q->arg[1].x[q->arg[1].count - 1] == 0x5p-1074;
+}
+
+static int four_decreasing(void *context, const et_request *q)
+{
+    return q->arg[1].count == 4 && decreases(context, q);
+}
+
 static int sites_differ(void *context, const et_request *q)
 {
     (void)context;
@@ -248,6 +259,9 @@ verdict prop_campaign_shrink_to(gen *g)
     static const struct { const char *line; et_campaign_fails *fails; const char *least; } all[] = {
         { "span 1 6 0x1p+0 0x1p+0 0x1.8p+1 0x0p+0 0x0p+0 0x0p+0 0x1p-1", decreases, "span 0 2 0x1p+0 0x0p+0 0x0p+0" },
         { "span 2 4 0x1p+0 0x1p+0 0x0p+0 0x0p+0 0x1p-1", decreases, "span 0 2 0x1p+0 0x0p+0 0x0p+0" },
+        { "span 1 4 0x1p+0 0x1p+0 0x0p+0 0x0p+0 0x1p-1", four_decreasing, "span 0 4 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x0p+0" },
+        { "span 1 4 0x3p-1074 0x3p-1074 0x5p-1074 0x5p-1074 0x4p-1074", least_numbers,
+          "span 0 2 0x0.0000000000003p-1022 0x0.0000000000005p-1022 0x0.0000000000004p-1022" },
         { "span 2 7 0x0p+0 0x1p+0 0x1p+1 nan 0x1p+2 0x1p+2 0x1p+2 0x1p-1", has_nan, "span 0 1 nan 0x0p+0" },
         { "span 1 4 0x0p+0 0x0p+0 0x1p+60 0x1p+60 0x1.fp+60", far_out, "span 0 0 0x1p+53" },
         { "span 1 4 0x0p+0 0x0p+0 0x1p+60 0x1p+60 -0x1.fp+60", far_out, "span 0 0 0x1p+53" },
