@@ -1,0 +1,378 @@
+(* Rounding errors of the loops of RoundingScheme.v, for any degree: what docs/accuracy.md and the comments in src/spline state.
+   The model: |rnd y - y| <= u |y| and rnd idempotent, so nothing underflows or overflows; Binary64.v says when that is so.
+   Two relations carry all proofs, with c = 1 - u:
+     within k a b     a, b >= 0 and c^k b <= a <= b / c^k: k roundings apart;
+     near k a b m     |a - b| <= (c^-k - 1) m and |b| <= m: k roundings apart relative to the magnitude m. *)
+Require Import Reals Lra Lia Arith Psatz Bool List.
+From Etalon Require Import RoundingScheme.
+Open Scope R_scope.
+
+(* ---- arithmetics of real numbers ---- *)
+
+Definition less_R (x y : R) : bool := if Rlt_dec x y then true else false.
+Definition same_R (x y : R) : bool := if Req_EM_T x y then true else false.
+Definition rounded (rnd : R -> R) : arithmetic :=
+  Arithmetic R 0 1 (fun x y => rnd (x + y)) (fun x y => rnd (x - y)) (fun x y => rnd (x * y)) (fun x y => rnd (x / y)) less_R same_R.
+Definition plain (y : R) : R := y.
+Definition exact : arithmetic := rounded plain.
+
+Fixpoint total (f : nat -> R) (n : nat) : R := match n with O => 0 | S k => total f k + f k end.
+
+Lemma total_ext : forall n f g, (forall k, (k < n)%nat -> f k = g k) -> total f n = total g n.
+Proof. induction n; simpl; intros; auto. rewrite (IHn f g), H; auto. Qed.
+Lemma total_add : forall n f g, total (fun k => f k + g k) n = total f n + total g n.
+Proof. induction n; simpl; intros; [lra|rewrite IHn; lra]. Qed.
+Lemma total_shift : forall n f, total f (S n) = f O + total (fun k => f (S k)) n.
+Proof. induction n; intros; [simpl; lra|]. change (total f (S (S n))) with (total f (S n) + f (S n)). rewrite IHn; simpl; lra. Qed.
+
+(* ---- Cox-de Boor with 0/0 = 0, from the span s on: it does for the right end, too, where the last span is closed ---- *)
+
+Definition quotient (n d : R) : R := if Req_EM_T d 0 then 0 else n / d.
+Lemma quotient_is_div : forall n d, d <> 0 -> quotient n d = n / d.
+Proof. intros; unfold quotient; destruct (Req_EM_T d 0); auto; contradiction. Qed.
+
+Section Basis.
+Variable t : nat -> R.
+Hypothesis sorted : forall i, t i <= t (S i).
+Variables (s : nat) (x : R).
+
+Lemma knots_le : forall i j, (i <= j)%nat -> t i <= t j.
+Proof. intros i j H; induction H; [lra|]. specialize (sorted m); lra. Qed.
+
+Fixpoint cox (p i : nat) : R :=
+  match p with
+  | O => if (i =? s)%nat then 1 else 0
+  | S q => quotient (x - t i) (t (i + p)%nat - t i) * cox q i
+         + quotient (t (S i + p)%nat - x) (t (S i + p)%nat - t (S i)) * cox q (S i)
+  end.
+
+Lemma cox_support : forall p i, (i + p < s \/ s < i)%nat -> cox p i = 0.
+Proof.
+  induction p; intros i H; cbn [cox].
+  - destruct (Nat.eqb_spec i s); auto; lia.
+  - rewrite !IHp by lia. ring.
+Qed.
+
+Hypothesis span : t s < t (S s).
+Notation L := (to_left (A := exact) t s x).
+Notation Rt := (to_right (A := exact) t s x).
+
+Lemma left_is : forall j, L j = x - t (s + 1 - j)%nat.
+Proof. reflexivity. Qed.
+Lemma right_is : forall j, Rt j = t (s + j)%nat - x.
+Proof. reflexivity. Qed.
+Lemma width_pos : forall j r, (r < j)%nat -> 0 < Rt (r + 1)%nat + L (j - r)%nat.
+Proof.
+  intros j r H. rewrite left_is, right_is.
+  assert (t (s + 1 - (j - r))%nat <= t s) by (apply knots_le; lia).
+  assert (t (S s) <= t (s + (r + 1))%nat) by (apply knots_le; lia). lra.
+Qed.
+
+(* Over the reals the loop computes Cox and de Boor's functions. *)
+Theorem scheme_is_cox : forall j r, (j <= s)%nat -> (r <= j)%nat -> entry (A := exact) L Rt j r = cox j (s - j + r).
+Proof.
+  induction j as [|j IH]; intros r Hj Hr.
+  - replace r with O by lia. cbn. replace (s - 0 + 0)%nat with s by lia. now rewrite Nat.eqb_refl.
+  - cbn [entry cox]. unfold next, saved, temp. cbn -[Nat.add Nat.sub to_left to_right cox entry Nat.eqb]. unfold plain.
+    set (i := (s - S j + r)%nat).
+    assert (W : forall q, (q <= j)%nat -> 0 < t (s + (q + 1))%nat - t (s + 1 - (S j - q))%nat).
+    { intros q Hq. assert (t (s + 1 - (S j - q))%nat <= t s) by (apply knots_le; lia).
+      assert (t (S s) <= t (s + (q + 1))%nat) by (apply knots_le; lia). lra. }
+    assert (HR : forall q, (q <= j)%nat -> Rt (q + 1)%nat + L (S j - q)%nat = t (s + (q + 1))%nat - t (s + 1 - (S j - q))%nat)
+      by (intros; rewrite left_is, right_is; ring).
+    assert (before : (1 <= r)%nat -> L (S j - (r - 1))%nat = x - t i).
+    { intros. rewrite left_is. now replace (s + 1 - (S j - (r - 1)))%nat with i by (unfold i; lia). }
+    assert (behind : (r <= j)%nat -> Rt (r + 1)%nat = t (S i + S j)%nat - x).
+    { intros. rewrite right_is. now replace (s + (r + 1))%nat with (S (i + S j)) by (unfold i; lia). }
+    destruct r as [|q].
+    + cbn [Nat.eqb]. rewrite HR, behind by lia. rewrite (cox_support j i) by (unfold i; lia). rewrite IH by lia.
+      specialize (W O ltac:(lia)). revert W.
+      replace (s + 1 - (S j - 0))%nat with (S i) by (unfold i; lia). replace (s + (0 + 1))%nat with (S i + S j)%nat by (unfold i; lia).
+      replace (s - j + 0)%nat with (S i) by (unfold i; lia). intro W.
+      rewrite (quotient_is_div (t (S i + S j)%nat - x)) by (cbn in W |- *; lra). cbn. field. cbn in W; lra.
+    + destruct (Nat.eqb_spec (S q) (S j)) as [e|e].
+      * assert (q = j) by lia; subst q. rewrite HR by lia. rewrite (cox_support j (S i)) by (unfold i; lia). rewrite IH by lia.
+        specialize (W j ltac:(lia)). revert W before.
+        replace (S j - 1)%nat with j by lia. replace (s + 1 - (S j - j))%nat with i by (unfold i; lia).
+        replace (s + (j + 1))%nat with (i + S j)%nat by (unfold i; lia). replace (s - j + j)%nat with i by (unfold i; lia). intros W before.
+        rewrite before by lia. rewrite quotient_is_div by lra. field. lra.
+      * rewrite !HR, behind by lia. rewrite !IH by lia.
+        pose proof (W q ltac:(lia)) as W1. pose proof (W (S q) ltac:(lia)) as W2. revert W1 W2 before.
+        replace (S q - 1)%nat with q by lia. replace (s + 1 - (S j - q))%nat with i by (unfold i; lia).
+        replace (s + (q + 1))%nat with (i + S j)%nat by (unfold i; lia). replace (s + 1 - (S j - S q))%nat with (S i) by (unfold i; lia).
+        replace (s + (S q + 1))%nat with (S i + S j)%nat by (unfold i; lia).
+        replace (s - j + q)%nat with i by (unfold i; lia). replace (s - j + S q)%nat with (S i) by (unfold i; lia).
+        intros W1 W2 before. rewrite before by lia. rewrite !quotient_is_div by lra. field. split; lra.
+Qed.
+End Basis.
+
+(* ---- the two relations ---- *)
+
+Section Error.
+Variable u : R.
+Hypothesis unit_roundoff : 0 <= u < 1.
+Notation c := (1 - u).
+
+Lemma power_pos : forall k, 0 < c ^ k <= 1.
+Proof. induction k; simpl; [lra|]. nra. Qed.
+
+Definition within (k : nat) (a b : R) : Prop := 0 <= a /\ 0 <= b /\ c ^ k * b <= a /\ c ^ k * a <= b.
+
+Lemma within_refl : forall k a, 0 <= a -> within k a a.
+Proof. intros k a H. pose proof (power_pos k). repeat split; auto; nra. Qed.
+Lemma within_weaken : forall k l a b, (k <= l)%nat -> within k a b -> within l a b.
+Proof.
+  intros k l a b H (h1 & h2 & h3 & h4). replace l with (k + (l - k))%nat by lia.
+  unfold within; rewrite pow_add. pose proof (power_pos k). pose proof (power_pos (l - k)).
+  assert (c ^ k * c ^ (l - k) <= c ^ k) by nra. repeat split; auto; nra.
+Qed.
+Lemma within_trans : forall k l a b d, within k a b -> within l b d -> within (k + l) a d.
+Proof.
+  intros k l a b d (h1 & h2 & h3 & h4) (g1 & g2 & g3 & g4). unfold within; rewrite pow_add.
+  pose proof (power_pos k). pose proof (power_pos l). repeat split; auto; nra.
+Qed.
+Lemma within_add : forall k a b d e, within k a b -> within k d e -> within k (a + d) (b + e).
+Proof. intros k a b d e (h1 & h2 & h3 & h4) (g1 & g2 & g3 & g4). pose proof (power_pos k). repeat split; nra. Qed.
+Lemma within_mul : forall k l a b d e, within k a b -> within l d e -> within (k + l) (a * d) (b * e).
+Proof.
+  intros k l a b d e (h1 & h2 & h3 & h4) (g1 & g2 & g3 & g4). unfold within; rewrite pow_add.
+  pose proof (power_pos k). pose proof (power_pos l). repeat split; try (apply Rmult_le_pos; auto).
+  - replace (c ^ k * c ^ l * (b * e)) with ((c ^ k * b) * (c ^ l * e)) by ring.
+    apply Rmult_le_compat; auto; apply Rmult_le_pos; lra.
+  - replace (c ^ k * c ^ l * (a * d)) with ((c ^ k * a) * (c ^ l * d)) by ring.
+    apply Rmult_le_compat; auto; apply Rmult_le_pos; lra.
+Qed.
+Lemma within_inv : forall k a b, 0 < a -> 0 < b -> within k a b -> within k (/ a) (/ b).
+Proof.
+  intros k a b Ha Hb (h1 & h2 & h3 & h4). pose proof (power_pos k).
+  pose proof (Rinv_0_lt_compat a Ha). pose proof (Rinv_0_lt_compat b Hb).
+  repeat split; try lra; (apply Rmult_le_reg_l with (a * b); [nra|]).
+  - replace (a * b * (c ^ k * / b)) with (c ^ k * a) by (field; lra). replace (a * b * / a) with b by (field; lra). lra.
+  - replace (a * b * (c ^ k * / a)) with (c ^ k * b) by (field; lra). replace (a * b * / b) with a by (field; lra). lra.
+Qed.
+Lemma within_div : forall k l a b d e, 0 < d -> 0 < e -> within k a b -> within l d e -> within (k + l) (a / d) (b / e).
+Proof. intros; unfold Rdiv; apply within_mul; auto; apply within_inv; auto. Qed.
+Lemma within_pos : forall k a b, within k a b -> 0 < b -> 0 < a.
+Proof. intros k a b (h1 & h2 & h3 & h4) Hb. pose proof (power_pos k). nra. Qed.
+Lemma within_total : forall k n f g, (forall i, (i < n)%nat -> within k (f i) (g i)) -> within k (total f n) (total g n).
+Proof. intros k; induction n; intros f g H; simpl; [apply within_refl; lra|]. apply within_add; auto. Qed.
+
+Definition near (k : nat) (a b m : R) : Prop := Rabs (a - b) <= (/ c ^ k - 1) * m /\ Rabs b <= m.
+
+Lemma growth : forall k, 1 <= / c ^ k.
+Proof. intros k. pose proof (power_pos k). rewrite <- Rinv_1 at 1. apply Rinv_le_contravar; lra. Qed.
+Lemma growth_add : forall k l, / c ^ (k + l) = / c ^ k * / c ^ l.
+Proof. intros. pose proof (power_pos k). pose proof (power_pos l). rewrite pow_add. field. lra. Qed.
+Lemma near_refl : forall k b, near k b b (Rabs b).
+Proof. intros. split; [|lra]. rewrite Rminus_eq_0, Rabs_R0. pose proof (growth k). pose proof (Rabs_pos b). nra. Qed.
+Lemma near_magnitude : forall k a b m, near k a b m -> 0 <= m.
+Proof. intros k a b m [_ h]. pose proof (Rabs_pos b). lra. Qed.
+Lemma near_abs : forall k a b m, near k a b m -> Rabs a <= / c ^ k * m.
+Proof. intros k a b m [h1 h2]. pose proof (Rabs_triang (a - b) b). replace (a - b + b) with a in * by ring. nra. Qed.
+Lemma near_weaken : forall k l a b m, (k <= l)%nat -> near k a b m -> near l a b m.
+Proof.
+  intros k l a b m H N. pose proof (near_magnitude _ _ _ _ N). destruct N as [h1 h2]. split; auto.
+  replace l with (k + (l - k))%nat by lia. rewrite growth_add. pose proof (growth k). pose proof (growth (l - k)).
+  assert (/ c ^ k <= / c ^ k * / c ^ (l - k)) by nra. nra.
+Qed.
+(* Changes by l roundings and by k are by k + l. *)
+Lemma near_trans : forall k l a' a b m, near k a b m -> Rabs (a' - a) <= (/ c ^ l - 1) * Rabs a -> near (k + l) a' b m.
+Proof.
+  intros k l a' a b m N H. pose proof (near_abs _ _ _ _ N) as Ha. pose proof (near_magnitude _ _ _ _ N). destruct N as [h1 h2]. split; auto.
+  pose proof (Rabs_triang (a' - a) (a - b)). replace (a' - a + (a - b)) with (a' - b) in * by ring.
+  rewrite growth_add. pose proof (growth k). pose proof (growth l). pose proof (Rabs_pos a).
+  assert ((/ c ^ l - 1) * Rabs a <= (/ c ^ l - 1) * (/ c ^ k * m)) by (apply Rmult_le_compat_l; lra). lra.
+Qed.
+Lemma near_add : forall k a b m a' b' m', near k a b m -> near k a' b' m' -> near k (a + a') (b + b') (m + m').
+Proof.
+  intros k a b m a' b' m' [h1 h2] [g1 g2]. split.
+  - pose proof (Rabs_triang (a - b) (a' - b')). replace (a - b + (a' - b')) with (a + a' - (b + b')) in * by ring. lra.
+  - pose proof (Rabs_triang b b'). lra.
+Qed.
+Lemma near_sub : forall k a b m a' b' m', near k a b m -> near k a' b' m' -> near k (a - a') (b - b') (m + m').
+Proof.
+  intros k a b m a' b' m' N [g1 g2]. unfold Rminus. apply near_add; auto. split.
+  - replace (- a' - - b') with (- (a' - b')) by ring. now rewrite Rabs_Ropp.
+  - now rewrite Rabs_Ropp.
+Qed.
+Lemma within_factor : forall l a b, within l a b -> Rabs (a - b) <= (/ c ^ l - 1) * b.
+Proof.
+  intros l a b (h1 & h2 & h3 & h4). pose proof (power_pos l) as P. pose proof (growth l).
+  assert (E : c ^ l * / c ^ l = 1) by (field; lra).
+  apply Rabs_le; split.
+  - assert (1 - c ^ l <= / c ^ l - 1) by nra. nra.
+  - apply Rmult_le_reg_l with (c ^ l); [lra|]. nra.
+Qed.
+Lemma within_near : forall l a b, within l a b -> near l a b b.
+Proof. intros l a b W. split; [now apply within_factor|]. rewrite Rabs_pos_eq; [lra|apply W]. Qed.
+Lemma near_mul : forall k l w w' a b m, within l w' w -> near k a b m -> near (k + l) (w' * a) (w * b) (w * m).
+Proof.
+  intros k l w w' a b m W [h1 h2]. assert (0 <= w) by apply W. apply near_trans with (a := w * a).
+  - split.
+    + replace (w * a - w * b) with (w * (a - b)) by ring. rewrite Rabs_mult, (Rabs_pos_eq w) by auto. nra.
+    + rewrite Rabs_mult, (Rabs_pos_eq w) by auto. nra.
+  - replace (w' * a - w * a) with ((w' - w) * a) by ring. rewrite !Rabs_mult, (Rabs_pos_eq w) by auto.
+    pose proof (within_factor _ _ _ W). pose proof (Rabs_pos a). nra.
+Qed.
+Lemma near_div : forall k l w w' a b m, 0 < w -> within l w' w -> near k a b m -> near (k + l) (a / w') (b / w) (m / w).
+Proof.
+  intros k l w w' a b m P W N. unfold Rdiv. rewrite !(Rmult_comm _ (/ _)). apply near_mul; auto.
+  apply within_inv; auto. now apply (within_pos l w' w).
+Qed.
+
+(* ---- a rounding ---- *)
+
+Variable rnd : R -> R.
+Hypothesis rnd_error : forall y, Rabs (rnd y - y) <= u * Rabs y.
+Hypothesis rnd_idem : forall y, rnd (rnd y) = rnd y.
+Hypothesis rnd_one : rnd 1 = 1.
+Notation arith := (rounded rnd).
+
+Lemma no_magnitude : forall y, Rabs y <= 0 -> y = 0.
+Proof. intros y. unfold Rabs. destruct (Rcase_abs y); lra. Qed.
+Lemma rnd_zero : rnd 0 = 0.
+Proof. pose proof (rnd_error 0) as H. rewrite Rabs_R0, Rmult_0_r, Rminus_0_r in H. apply no_magnitude. lra. Qed.
+Lemma magnitude_le : forall y b, Rabs y <= b -> - b <= y <= b.
+Proof. intros y b. unfold Rabs. destruct (Rcase_abs y); lra. Qed.
+Lemma rnd_within : forall y, 0 <= y -> within 1 (rnd y) y.
+Proof.
+  intros y Hy. pose proof (rnd_error y) as H. rewrite (Rabs_pos_eq y Hy) in H. apply magnitude_le in H.
+  unfold within. rewrite pow_1. repeat split; auto; nra.
+Qed.
+Lemma rnd_nonneg : forall y, 0 <= y -> 0 <= rnd y.
+Proof. intros y Hy. now destruct (rnd_within y Hy). Qed.
+Lemma within_rnd : forall k a b, within k a b -> within (k + 1) (rnd a) b.
+Proof. intros k a b H. rewrite Nat.add_comm. eapply within_trans; [|eauto]. apply rnd_within; apply H. Qed.
+Lemma rnd_eq_zero : forall y, rnd y = 0 -> y = 0.
+Proof. intros y H. pose proof (rnd_error y) as E. rewrite H in E. replace (0 - y) with (- y) in E by ring. rewrite Rabs_Ropp in E.
+  pose proof (Rabs_pos y). apply no_magnitude. nra. Qed.
+Lemma near_rnd : forall k a b m, near k a b m -> near (k + 1) (rnd a) b m.
+Proof.
+  intros k a b m N. apply near_trans with a; auto. pose proof (rnd_error a). pose proof (Rabs_pos a).
+  assert (u <= / c ^ 1 - 1).
+  { rewrite pow_1. apply Rmult_le_reg_l with c; [lra|]. replace (c * (/ c - 1)) with (1 - c) by (field; lra). nra. }
+  nra.
+Qed.
+
+(* ---- basis functions ---- *)
+
+Section BasisError.
+Variable t : nat -> R.
+Hypothesis sorted : forall i, t i <= t (S i).
+Variables (s : nat) (x : R).
+Hypothesis span : t s < t (S s).
+Hypothesis inside : t s <= x <= t (S s).
+Notation L := (to_left (A := arith) t s x).
+Notation Rt := (to_right (A := arith) t s x).
+Notation Le := (to_left (A := exact) t s x).
+Notation Re := (to_right (A := exact) t s x).
+Notation N := (entry (A := arith) L Rt).
+Notation Ne := (entry (A := exact) Le Re).
+
+Lemma left_within : forall j, (1 <= j)%nat -> within 1 (L j) (Le j).
+Proof. intros j Hj. apply (rnd_within (x - t (s + 1 - j)%nat)). assert (t (s + 1 - j)%nat <= t s) by (apply knots_le; auto; lia). lra. Qed.
+Lemma right_within : forall j, (1 <= j)%nat -> within 1 (Rt j) (Re j).
+Proof. intros j Hj. apply (rnd_within (t (s + j)%nat - x)). assert (t (S s) <= t (s + j)%nat) by (apply knots_le; auto; lia). lra. Qed.
+Lemma width_within : forall j r, (r < j)%nat -> within 2 (rnd (Rt (r + 1)%nat + L (j - r)%nat)) (Re (r + 1)%nat + Le (j - r)%nat).
+Proof. intros j r H. apply (within_rnd 1). apply within_add; [apply right_within|apply left_within]; lia. Qed.
+Lemma width_exact_pos : forall j r, (r < j)%nat -> 0 < Re (r + 1)%nat + Le (j - r)%nat.
+Proof. intros. now apply width_pos. Qed.
+Lemma temp_within : forall n f g j r, (r < j)%nat -> within n (f r) (g r) ->
+  within (n + 3) (temp (A := arith) L Rt f j r) (temp (A := exact) Le Re g j r).
+Proof.
+  intros n f g j r H W. unfold temp. cbn -[Nat.add]. unfold plain. replace (n + 3)%nat with (n + 2 + 1)%nat by lia. apply within_rnd.
+  pose proof (width_exact_pos j r H). pose proof (width_within j r H). apply within_div; auto. eapply within_pos; eauto.
+Qed.
+
+(* Each step costs a value six roundings, the first five: there nothing is added. *)
+Definition steps (j : nat) : nat := match j with O => O | S k => (6 * k + 5)%nat end.
+
+Theorem entry_within : forall j r, (r <= j)%nat -> within (steps j) (N j r) (Ne j r).
+Proof.
+  induction j as [|j IH]; intros r Hr; [exact (within_refl _ 1 Rle_0_1)|].
+  cbn [entry]. set (n := steps j) in *.
+  assert (HT : forall q, (q <= j)%nat -> within (n + 3) (temp (A := arith) L Rt (N j) (S j) q) (temp (A := exact) Le Re (Ne j) (S j) q))
+    by (intros; apply temp_within; [lia|auto]).
+  assert (HS : forall q, (q <= j)%nat -> within (n + 5) (saved (A := arith) L Rt (N j) (S j) (S q)) (saved (A := exact) Le Re (Ne j) (S j) (S q))).
+  { intros q Hq. replace (n + 5)%nat with (1 + (n + 3) + 1)%nat by lia.
+    refine (within_rnd _ (L (S j - q)%nat * temp (A := arith) L Rt (N j) (S j) q) (Le (S j - q)%nat * temp (A := exact) Le Re (Ne j) (S j) q) _).
+    apply within_mul; auto. apply left_within; lia. }
+  assert (HR : forall q, (q <= j)%nat -> within (n + 5) (rnd (Rt (q + 1)%nat * temp (A := arith) L Rt (N j) (S j) q))
+                                                       (Re (q + 1)%nat * temp (A := exact) Le Re (Ne j) (S j) q)).
+  { intros q Hq. replace (n + 5)%nat with (1 + (n + 3) + 1)%nat by lia. apply within_rnd. apply within_mul; auto. apply right_within; lia. }
+  unfold next. destruct (Nat.eqb_spec r (S j)) as [e|e].
+  - subst r. apply within_weaken with (n + 5)%nat; [unfold n, steps; destruct j; lia|apply HS; lia].
+  - destruct r as [|q].
+    + change (within (steps (S j)) (rnd (0 + rnd (Rt 1%nat * temp (A := arith) L Rt (N j) (S j) 0))) (0 + Re 1%nat * temp (A := exact) Le Re (Ne j) (S j) 0)).
+      rewrite !Rplus_0_l, rnd_idem.
+      apply within_weaken with (n + 5)%nat; [unfold n, steps; destruct j; lia|apply (HR O); lia].
+    + destruct j as [|i]; [lia|]. apply within_weaken with (n + 5 + 1)%nat; [unfold n, steps; lia|].
+      refine (within_rnd (n + 5) (_ + _) (_ + _) _). apply within_add; [apply HS|apply HR]; lia.
+Qed.
+
+(* docs/accuracy.md: a basis function of degree p is within 6p - 1 roundings of itself. *)
+Theorem basis_within : forall p r, (1 <= p <= s)%nat -> (r <= p)%nat -> within (6 * p - 1) (N p r) (cox t s x p (s - p + r)).
+Proof.
+  intros p r Hp Hr. rewrite <- scheme_is_cox by (auto; lia).
+  apply within_weaken with (steps p); [unfold steps; destruct p; lia|]. now apply entry_within.
+Qed.
+Corollary basis_nonneg : forall p r, (r <= p)%nat -> 0 <= N p r.
+Proof. intros. now destruct (entry_within p r). Qed.
+
+(* A step changes the exact sum of the computed values by four roundings, the first by three. *)
+Lemma step_sum : forall j, within (match j with O => 3 | _ => 4 end) (total (N (S j)) (S (S j))) (total (N j) (S j)).
+Proof.
+  intros j. set (T := temp (A := arith) L Rt (N j) (S j)).
+  set (a := fun r => rnd (L (S j - r)%nat * T r)). set (b := fun r => rnd (Rt (r + 1)%nat * T r)).
+  set (D := fun r => rnd (Rt (r + 1)%nat + L (S j - r)%nat)).
+  assert (HD : forall r, (r <= j)%nat -> 0 < D r).
+  { intros r Hr. eapply within_pos; [apply width_within; lia|]. apply width_exact_pos; lia. }
+  assert (HL : forall r, (r <= j)%nat -> 0 <= L (S j - r)%nat) by (intros; apply left_within; lia).
+  assert (HR : forall r, 0 <= Rt (r + 1)%nat) by (intros; apply right_within; lia).
+  assert (HQ : forall r, (r <= j)%nat -> 0 <= N j r / D r).
+  { intros r Hr. apply Rmult_le_pos; [now apply basis_nonneg|]. apply Rlt_le, Rinv_0_lt_compat; auto. }
+  assert (HT : forall r, (r <= j)%nat -> 0 <= T r) by (intros; apply rnd_nonneg, HQ; auto).
+  assert (Ha : forall r, (r <= j)%nat -> 0 <= a r) by (intros; apply rnd_nonneg, Rmult_le_pos; auto).
+  assert (Hb : forall r, (r <= j)%nat -> 0 <= b r) by (intros; apply rnd_nonneg, Rmult_le_pos; auto).
+  (* A product's rounding, the quotient's, the denominator's. *)
+  assert (HS : forall r, (r <= j)%nat -> within 3 (b r + a r) (N j r)).
+  { intros r Hr. apply (within_trans 1 2) with ((Rt (r + 1)%nat + L (S j - r)%nat) * T r).
+    - rewrite Rmult_plus_distr_r. apply within_add; apply rnd_within, Rmult_le_pos; auto.
+    - replace (N j r) with (D r * (N j r / D r)) by (field; specialize (HD r Hr); lra).
+      apply (within_mul 1 1); [|apply rnd_within; auto].
+      assert (H0 : 0 <= Rt (r + 1)%nat + L (S j - r)%nat) by (specialize (HL r Hr); specialize (HR r); lra).
+      destruct (rnd_within _ H0) as (h1 & h2 & h3 & h4). repeat split; auto. }
+  set (G := fun r => match r with O => 0 | S q => a q end + (if (r =? S j)%nat then 0 else b r)).
+  assert (EG : total G (S (S j)) = total (fun r => b r + a r) (S j)).
+  { unfold G. rewrite total_add. rewrite (total_shift (S j) (fun r => match r with O => 0 | S q => a q end)).
+    rewrite Rplus_0_l. change (total (fun r => if (r =? S j)%nat then 0 else b r) (S (S j))) with
+      (total (fun r => if (r =? S j)%nat then 0 else b r) (S j) + (if (S j =? S j)%nat then 0 else b (S j))).
+    rewrite Nat.eqb_refl, Rplus_0_r.
+    rewrite (total_ext (S j) (fun r => if (r =? S j)%nat then 0 else b r) b)
+      by (intros k Hk; destruct (Nat.eqb_spec k (S j)); [lia|auto]).
+    rewrite total_add. apply Rplus_comm. }
+  assert (EN : forall r, (r <= S j)%nat -> N (S j) r = if ((r =? 0) || (r =? S j))%nat then G r else rnd (G r)).
+  { intros r Hr. cbn [entry]. unfold next, G. destruct (Nat.eqb_spec r (S j)) as [e|e].
+    - subst r. cbn [Nat.eqb orb saved]. rewrite Rplus_0_r. reflexivity.
+    - destruct r as [|q]; cbn [Nat.eqb orb saved]; cbn -[temp Nat.add].
+      + rewrite !Rplus_0_l. unfold b. now rewrite rnd_idem.
+      + reflexivity. }
+  assert (GN : forall r, (r <= S j)%nat -> 0 <= G r).
+  { intros r Hr. unfold G. apply Rplus_le_le_0_compat; [destruct r; [lra|apply Ha; lia]|].
+    destruct (Nat.eqb_spec r (S j)); [lra|apply Hb; lia]. }
+  assert (W3 : within 3 (total G (S (S j))) (total (N j) (S j))) by (rewrite EG; apply within_total; intros; apply HS; lia).
+  destruct j as [|i].
+  - rewrite (total_ext 2 (N 1%nat) G); [exact W3|]. intros k Hk. rewrite EN by lia. now destruct k as [|[|k]]; [| |lia].
+  - apply (within_trans 1 3) with (total G (S (S (S i)))); auto. apply within_total. intros k Hk. rewrite EN by lia.
+    destruct ((k =? 0) || (k =? S (S i)))%nat; [apply within_refl|apply rnd_within]; apply GN; lia.
+Qed.
+
+(* docs/accuracy.md: their exact sum is within 4p - 1 roundings of 1. *)
+Theorem basis_sum : forall p, (1 <= p)%nat -> within (4 * p - 1) (total (N p) (S p)) 1.
+Proof.
+  intros p Hp. destruct p as [|p]; [lia|]. clear Hp. induction p as [|p IH].
+  - replace 1 with (total (N 0) 1) by (cbn; lra). apply (step_sum 0).
+  - replace (4 * S (S p) - 1)%nat with (4 + (4 * S p - 1))%nat by lia. eapply within_trans; [apply (step_sum (S p))|exact IH].
+Qed.
+End BasisError.
+End Error.
