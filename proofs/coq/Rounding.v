@@ -374,5 +374,129 @@ Proof.
   - replace 1 with (total (N 0) 1) by (cbn; lra). apply (step_sum 0).
   - replace (4 * S (S p) - 1)%nat with (4 + (4 * S p - 1))%nat by lia. eapply within_trans; [apply (step_sum (S p))|exact IH].
 Qed.
+
+(* ---- the special case of et_basis_eval: x meets a knot of multiplicity p ---- *)
+
+Lemma entry_left : forall p, (forall j, (1 <= j <= p)%nat -> Le j = 0) -> forall j r, (j <= p)%nat -> (r <= j)%nat -> Ne j r = if (r =? 0)%nat then 1 else 0.
+Proof.
+  intros p H. induction j as [|j IH]; intros r Hj Hr; [now replace r with O by lia|].
+  assert (Z : saved (A := exact) Le Re (Ne j) (S j) r = 0).
+  { destruct r as [|q]; [reflexivity|]. change (Le (S j - q)%nat * temp (A := exact) Le Re (Ne j) (S j) q = 0). rewrite H by lia. ring. }
+  cbn [entry]. unfold next. rewrite Z. destruct (Nat.eqb_spec r (S j)) as [e|e]; [subst r; reflexivity|].
+  change (0 + Re (r + 1)%nat * (Ne j r / (Re (r + 1)%nat + Le (S j - r)%nat)) = if (r =? 0)%nat then 1 else 0).
+  rewrite <- IH by lia. pose proof (width_exact_pos (S j) r ltac:(lia)) as W. rewrite H in * by lia. field. lra.
+Qed.
+Lemma entry_right : forall p, (forall j, (1 <= j <= p)%nat -> Re j = 0) -> forall j r, (j <= p)%nat -> (r <= j)%nat -> Ne j r = if (r =? j)%nat then 1 else 0.
+Proof.
+  intros p H. induction j as [|j IH]; intros r Hj Hr; [now replace r with O by lia|].
+  assert (Z : saved (A := exact) Le Re (Ne j) (S j) r = if (r =? S j)%nat then 1 else 0).
+  { destruct r as [|q]; [reflexivity|]. change (Le (S j - q)%nat * (Ne j q / (Re (q + 1)%nat + Le (S j - q)%nat)) = if (q =? j)%nat then 1 else 0).
+    rewrite <- IH by lia. pose proof (width_exact_pos (S j) q ltac:(lia)) as W. rewrite H in * by lia. field. lra. }
+  cbn [entry]. unfold next. rewrite Z. destruct (Nat.eqb_spec r (S j)) as [e|e]; [reflexivity|].
+  change (0 + Re (r + 1)%nat * temp (A := exact) Le Re (Ne j) (S j) r = 0). rewrite H by lia. ring.
+Qed.
+
+Lemma only_exact : forall p, (p <= s)%nat -> (only_of (A := arith) t p s x <= p)%nat ->
+  forall r, (r <= p)%nat -> cox t s x p (s - p + r) = if (r =? only_of (A := arith) t p s x)%nat then 1 else 0.
+Proof.
+  intros p Hp. unfold only_of. destruct (Nat.eqb_spec p 0) as [e|e].
+  - subst p. cbn [orb]. intros _ r Hr. replace r with O by lia. cbn [cox]. replace (s - 0 + 0)%nat with s by lia. now rewrite Nat.eqb_refl.
+  - cbn [orb]. cbn [same arith rounded zero]. unfold same_R. destruct (Req_EM_T _ 0) as [z|z].
+    + intros _ r Hr. rewrite <- scheme_is_cox by (auto; lia). apply entry_left with p; auto; try lia. intros j Hj. rewrite left_is.
+      apply rnd_eq_zero in z. assert (t (s + 1 - p)%nat <= t (s + 1 - j)%nat) by (apply knots_le; auto; lia).
+      assert (t (s + 1 - j)%nat <= t s) by (apply knots_le; auto; lia). lra.
+    + destruct (Req_EM_T _ 0) as [z'|z']; [|lia].
+      intros _ r Hr. rewrite <- scheme_is_cox by (auto; lia). apply entry_right with p; auto; try lia. intros j Hj. rewrite right_is.
+      apply rnd_eq_zero in z'. assert (t (s + j)%nat <= t (s + p)%nat) by (apply knots_le; auto; lia).
+      assert (t (S s) <= t (s + j)%nat) by (apply knots_le; auto; lia). lra.
+Qed.
+
+Lemma unit_row_nth : forall {A : arithmetic} p only r (d : A), (r <= p)%nat -> nth r (unit_row (A := A) p only) d = if (r =? only)%nat then one else zero.
+Proof.
+  intros A p only r d Hr. unfold unit_row. rewrite nth_indep with (d' := (fun r => if (r =? only)%nat then one else zero) O)
+    by (rewrite map_length, seq_length; lia).
+  rewrite map_nth with (f := fun r => if (r =? only)%nat then one else zero). now rewrite seq_nth by lia.
+Qed.
+
+(* The whole function, degree 0 included, for a parameter that is clamped. *)
+Theorem basis_at_within : forall p r, (p <= s)%nat -> (r <= p)%nat ->
+  within (6 * p - 1) (nth r (basis_at (A := arith) t p s x) 0) (cox t s x p (s - p + r)).
+Proof.
+  intros p r Hp Hr. unfold basis_at. destruct (Nat.leb_spec (only_of (A := arith) t p s x) p) as [h|h].
+  - rewrite only_exact by auto. rewrite unit_row_nth by auto.
+    destruct (r =? _)%nat; [exact (within_refl _ 1 Rle_0_1)|exact (within_refl _ 0 (Rle_refl 0))].
+  - rewrite outer_is_entry by auto. apply basis_within; auto. split; auto.
+    destruct p; [cbn in h; lia|lia].
+Qed.
+Theorem basis_at_sum : forall p, (p <= s)%nat -> within (4 * p - 1) (total (fun r => nth r (basis_at (A := arith) t p s x) 0) (S p)) 1.
+Proof.
+  intros p Hp. unfold basis_at. destruct (Nat.leb_spec (only_of (A := arith) t p s x) p) as [h|h].
+  - set (only := only_of (A := arith) t p s x) in *. rewrite (total_ext _ _ (fun r => if (r =? only)%nat then 1 else 0))
+      by (intros; rewrite unit_row_nth by lia; reflexivity).
+    assert (E : forall n, total (fun r => if (r =? only)%nat then 1 else 0) n = if (only <? n)%nat then 1 else 0).
+    { induction n as [|n IH]; [reflexivity|]. cbn [total]. rewrite IH. destruct (Nat.ltb_spec only n), (Nat.eqb_spec n only), (Nat.ltb_spec only (S n)); try lia; lra. }
+    rewrite E. destruct (Nat.ltb_spec only (S p)); [|lia]. apply within_refl; lra.
+  - rewrite (total_ext _ _ (N p)) by (intros k Hk; exact (outer_is_entry (A := arith) L Rt 0 p k ltac:(lia))). apply basis_sum. destruct p; [cbn in h; lia|lia].
+Qed.
+
 End BasisError.
+
+(* ---- sums of basis functions times numbers ---- *)
+
+Lemma contract_near : forall N Ne P Pe Pm k l p,
+  (forall r, (r <= p)%nat -> within l (N r) (Ne r)) -> (forall r, (r <= p)%nat -> near k (P r) (Pe r) (Pm r)) ->
+  near (k + l + 1 + p) (contract (A := arith) N P p) (contract (A := exact) Ne Pe p) (contract (A := exact) Ne Pm p).
+Proof.
+  intros N Ne P Pe Pm k l p HN HP.
+  assert (term : forall r, (r <= p)%nat -> near (k + l + 1) (rnd (N r * P r)) (Ne r * Pe r) (Ne r * Pm r)).
+  { intros r Hr. apply near_rnd, near_mul; auto. }
+  assert (E : forall q, (q <= p)%nat -> near (k + l + 1 + q) (contract (A := arith) N P q) (contract (A := exact) Ne Pe q) (contract (A := exact) Ne Pm q)); [|auto].
+  induction q as [|q IH]; intros Hq.
+  - rewrite Nat.add_0_r. apply term; auto.
+  - replace (k + l + 1 + S q)%nat with (k + l + 1 + q + 1)%nat by lia.
+    refine (near_rnd _ (contract (A := arith) N P q + rnd (N (S q) * P (S q))) (_ + Ne (S q) * Pe (S q)) (_ + Ne (S q) * Pm (S q)) _).
+    apply near_add; [apply IH; lia|]. apply near_weaken with (k + l + 1)%nat; [lia|apply term; lia].
+Qed.
+(* The same where the numbers are exact and the first factors have magnitudes, as derivatives do. *)
+Lemma contract_near_exact : forall N Ne Nm P k p, (forall r, (r <= p)%nat -> near k (N r) (Ne r) (Nm r)) ->
+  near (k + 1 + p) (contract (A := arith) N P p) (contract (A := exact) Ne P p) (contract (A := exact) Nm (fun r => Rabs (P r)) p).
+Proof.
+  intros N Ne Nm P k p HN.
+  assert (term : forall r, (r <= p)%nat -> near (k + 1) (rnd (N r * P r)) (Ne r * P r) (Nm r * Rabs (P r))).
+  { intros r Hr. apply near_rnd. destruct (HN r Hr) as [h1 h2]. pose proof (Rabs_pos (P r)). split.
+    - rewrite <- Rmult_minus_distr_r, Rabs_mult. nra.
+    - rewrite Rabs_mult. nra. }
+  assert (E : forall q, (q <= p)%nat -> near (k + 1 + q) (contract (A := arith) N P q) (contract (A := exact) Ne P q) (contract (A := exact) Nm (fun r => Rabs (P r)) q)); [|auto].
+  induction q as [|q IH]; intros Hq.
+  - rewrite Nat.add_0_r. apply term; auto.
+  - replace (k + 1 + S q)%nat with (k + 1 + q + 1)%nat by lia.
+    refine (near_rnd _ (contract (A := arith) N P q + rnd (N (S q) * P (S q))) (_ + Ne (S q) * P (S q)) (_ + Nm (S q) * Rabs (P (S q))) _).
+    apply near_add; [apply IH; lia|]. apply near_weaken with (k + 1)%nat; [lia|apply term; lia].
+Qed.
+Lemma contract_within : forall N Ne P Pe k l p,
+  (forall r, (r <= p)%nat -> within l (N r) (Ne r)) -> (forall r, (r <= p)%nat -> within k (P r) (Pe r)) ->
+  within (k + l + 1 + p) (contract (A := arith) N P p) (contract (A := exact) Ne Pe p).
+Proof.
+  intros N Ne P Pe k l p HN HP.
+  assert (term : forall r, (r <= p)%nat -> within (k + l + 1) (rnd (N r * P r)) (Ne r * Pe r)).
+  { intros r Hr. apply within_rnd. rewrite Nat.add_comm. apply within_mul; auto. }
+  assert (E : forall q, (q <= p)%nat -> within (k + l + 1 + q) (contract (A := arith) N P q) (contract (A := exact) Ne Pe q)); [|auto].
+  induction q as [|q IH]; intros Hq.
+  - rewrite Nat.add_0_r. apply term; auto.
+  - replace (k + l + 1 + S q)%nat with (k + l + 1 + q + 1)%nat by lia.
+    refine (within_rnd _ (contract (A := arith) N P q + rnd (N (S q) * P (S q))) (_ + Ne (S q) * Pe (S q)) _).
+    apply within_add; [apply IH; lia|]. apply within_weaken with (k + l + 1)%nat; [lia|apply term; lia].
+Qed.
+Lemma contract_pos : forall N w p, (forall r, (r <= p)%nat -> 0 <= N r) -> (forall r, (r <= p)%nat -> 0 < w r) ->
+  0 < total N (S p) -> 0 < contract (A := exact) N w p.
+Proof.
+  intros N w p HN Hw.
+  assert (E : forall q, (q <= p)%nat -> 0 <= contract (A := exact) N w q /\ (0 < total N (S q) -> 0 < contract (A := exact) N w q)); [|intros; now apply E].
+  induction q as [|q IH]; intros Hq.
+  - specialize (HN O Hq). specialize (Hw O Hq). cbn. unfold plain. split; [nra|intros; nra].
+  - specialize (HN (S q) Hq). specialize (Hw (S q) Hq). destruct (IH ltac:(lia)) as [IH1 IH2].
+    change (contract (A := exact) N w (S q)) with (contract (A := exact) N w q + N (S q) * w (S q)).
+    change (total N (S (S q))) with (total N (S q) + N (S q)). split; [nra|]. intros H.
+    destruct (Rle_lt_dec (total N (S q)) 0); [assert (0 < N (S q)) by lra; nra|]. specialize (IH2 ltac:(auto)). nra.
+Qed.
 End Error.
