@@ -499,4 +499,178 @@ Proof.
     change (total N (S (S q))) with (total N (S q) + N (S q)). split; [nra|]. intros H.
     destruct (Rle_lt_dec (total N (S q)) 0); [assert (0 < N (S q)) by lra; nra|]. specialize (IH2 ltac:(auto)). nra.
 Qed.
+
+(* ---- points of curves and surfaces ---- *)
+
+(* What the points need of a row of basis functions: their own error, and of the exact ones that they are a partition of unity.  A row of the
+   scheme has it (basis_row); exact sums of 1 follow from basis_sum with no rounding at all. *)
+Definition row (p : nat) (N Ne : nat -> R) : Prop :=
+  (forall r, (r <= p)%nat -> within (6 * p - 1) (N r) (Ne r)) /\ total Ne (S p) = 1.
+
+Lemma contract_row_pos : forall p N Ne w, row p N Ne -> (forall r, (r <= p)%nat -> 0 < w r) -> 0 < contract (A := exact) Ne w p.
+Proof. intros p N Ne w [HN H1] Hw. apply contract_pos; auto; [intros; now apply HN|]. rewrite H1; lra. Qed.
+
+Section Points.
+Variables (p q : nat) (N Ne M Me : nat -> R).
+Hypothesis degree_p : (1 <= p)%nat.
+Hypothesis degree_q : (1 <= q)%nat.
+Hypothesis row_N : row p N Ne.
+Hypothesis row_M : row q M Me.
+
+(* docs/accuracy.md, curve.h: 7p roundings relative to sum N |c|. *)
+Theorem curve_point_near : forall P, (forall r, (r <= p)%nat -> rnd (P r) = P r) ->
+  near (7 * p) (curve_point (A := arith) N P p) (curve_point (A := exact) Ne P p) (contract (A := exact) Ne (fun r => Rabs (P r)) p).
+Proof.
+  intros P HP. replace (7 * p)%nat with (0 + (6 * p - 1) + 1 + p)%nat by lia. apply contract_near; [apply row_N|].
+  intros r Hr. cbn. unfold plain. rewrite Rmult_1_l, HP by auto. apply near_refl.
+Qed.
+(* With weights 7p + 1 of the numerator, 7p of the denominator, one of the division. *)
+Theorem curve_point_rational_near : forall w P, (forall r, (r <= p)%nat -> 0 < w r) ->
+  near (14 * p + 2) (curve_point_rational (A := arith) N w P p) (curve_point_rational (A := exact) Ne w P p)
+    (contract (A := exact) Ne (fun r => w r * Rabs (P r)) p / contract (A := exact) Ne w p).
+Proof.
+  intros w P Hw. replace (14 * p + 2)%nat with (1 + (6 * p - 1) + 1 + p + (0 + (6 * p - 1) + 1 + p) + 1)%nat by lia.
+  apply near_rnd, near_div.
+  - now apply (contract_row_pos p N).
+  - apply contract_within; [apply row_N|]. intros r Hr. apply within_refl. specialize (Hw r Hr); lra.
+  - apply contract_near; [apply row_N|]. intros r Hr. apply (near_rnd 0). cbn. unfold plain. specialize (Hw r Hr).
+    rewrite <- (Rabs_pos_eq (w r)) at 3 by lra. rewrite <- Rabs_mult. apply near_refl.
+Qed.
+
+(* docs/accuracy.md, surface.h: 7 (p + q) roundings relative to sum N M |x|. *)
+Theorem surface_point_near : forall P, (forall i j, (i <= p)%nat -> (j <= q)%nat -> rnd (P i j) = P i j) ->
+  near (7 * (p + q)) (surface_point (A := arith) N M P p q) (surface_point (A := exact) Ne Me P p q)
+    (contract_uv (A := exact) Ne Me (fun i j => Rabs (P i j)) p q).
+Proof.
+  intros P HP. replace (7 * (p + q))%nat with (0 + (6 * p - 1) + 1 + p + (6 * q - 1) + 1 + q)%nat by lia.
+  unfold surface_point, contract_uv. apply contract_near; [apply row_M|]. intros j Hj. apply contract_near; [apply row_N|].
+  intros r Hr. cbn. unfold plain. rewrite Rmult_1_l, HP by auto. apply near_refl.
+Qed.
+(* docs/accuracy.md: 14 (p + q) + 2 roundings relative to sum N M w |x| / sum N M w. *)
+Theorem surface_point_rational_near : forall w P, (forall i j, (i <= p)%nat -> (j <= q)%nat -> 0 < w i j) ->
+  near (14 * (p + q) + 2) (surface_point_rational (A := arith) N M w P p q) (surface_point_rational (A := exact) Ne Me w P p q)
+    (contract_uv (A := exact) Ne Me (fun i j => w i j * Rabs (P i j)) p q / contract_uv (A := exact) Ne Me w p q).
+Proof.
+  intros w P Hw. replace (14 * (p + q) + 2)%nat with
+    (1 + (6 * p - 1) + 1 + p + (6 * q - 1) + 1 + q + (0 + (6 * p - 1) + 1 + p + (6 * q - 1) + 1 + q) + 1)%nat by lia.
+  apply near_rnd, near_div.
+  - apply (contract_row_pos q M); auto. intros j Hj. apply (contract_row_pos p N); auto.
+  - apply contract_within; [apply row_M|]. intros j Hj. apply contract_within; [apply row_N|].
+    intros r Hr. apply within_refl. specialize (Hw r j Hr Hj); lra.
+  - apply contract_near; [apply row_M|]. intros j Hj. apply contract_near; [apply row_N|].
+    intros r Hr. apply (near_rnd 0). cbn. unfold plain. specialize (Hw r j Hr Hj).
+    rewrite <- (Rabs_pos_eq (w r j)) at 3 by lra. rewrite <- Rabs_mult. apply near_refl.
+Qed.
+End Points.
+
+(* ---- insertion of a knot ---- *)
+
+Section Insertion.
+Variables (p k s : nat) (x : R).
+
+(* Knots that do not decrease, x in the span from k on. *)
+Definition spanned (t : nat -> R) (at_ : nat) : Prop := (forall i, t i <= t (S i)) /\ t at_ <= x < t (S at_).
+
+Lemma inserted_spanned : forall t times, spanned t k -> spanned (inserted_knots (A := exact) t k x times) (k + times).
+Proof.
+  intros t times H. induction times as [|n [IHs IHx]]; [now rewrite Nat.add_0_r|]. cbn [inserted_knots].
+  set (v := inserted_knots (A := exact) t k x n) in *. unfold spanned, insert_knots.
+  replace (k + S n)%nat with (k + n + 1)%nat by lia. set (m := (k + n)%nat) in *. split.
+  - intros i. destruct (Nat.leb_spec i m), (Nat.leb_spec (S i) m), (Nat.eqb_spec i (m + 1)), (Nat.eqb_spec (S i) (m + 1)); try lia; auto.
+    + replace i with m by lia. lra.
+    + replace (S i - 1)%nat with (S m) by lia. lra.
+    + replace (S i - 1)%nat with (S (i - 1)) by lia. apply IHs.
+  - destruct (Nat.leb_spec (m + 1) m), (Nat.leb_spec (S (m + 1)) m), (Nat.eqb_spec (m + 1) (m + 1)), (Nat.eqb_spec (S (m + 1)) (m + 1)); try lia.
+    replace (S (m + 1) - 1)%nat with (S m) by lia. lra.
+Qed.
+
+(* The knots are moved, not computed: with any rounding they are the same. *)
+Lemma inserted_knots_same : forall t times, inserted_knots (A := arith) t k x times = inserted_knots (A := exact) t k x times.
+Proof. induction times; [reflexivity|]. cbn [inserted_knots]. now rewrite IHtimes. Qed.
+
+Lemma shares_within : forall t at_ i, spanned t at_ -> (i <= at_ < i + p)%nat ->
+  within 3 (share_a (A := arith) t p i x) (share_a (A := exact) t p i x) /\ within 3 (share_b (A := arith) t p i x) (share_b (A := exact) t p i x).
+Proof.
+  intros t at_ i [Hs Hx] Hi. assert (t i <= t at_) by (apply knots_le; auto; lia).
+  assert (t (S at_) <= t (i + p)%nat) by (apply knots_le; auto; lia).
+  assert (W : 0 < t (i + p)%nat - t i) by lra. pose proof (rnd_within _ (Rlt_le _ _ W)) as W1. pose proof (within_pos _ _ _ W1 W).
+  split; apply (within_rnd 2), (within_div 1 1); auto.
+  - exact (rnd_within (x - t i) ltac:(lra)).
+  - exact (rnd_within (t (i + p)%nat - x) ltac:(lra)).
+Qed.
+
+(* One knot costs five roundings relative to the convex combination of the magnitudes. *)
+Lemma insert_near : forall n t at_ m h he hm, spanned t at_ -> (forall i, near n (h i) (he i) (hm i)) ->
+  forall i, near (n + 5) (insert_points (A := arith) t p at_ m x h i) (insert_points (A := exact) t p at_ m x he i) (insert_points (A := exact) t p at_ m x hm i).
+Proof.
+  intros n t at_ m h he hm Hs H i. unfold insert_points. destruct (Nat.leb_spec i (at_ - m)).
+  - destruct (Nat.ltb_spec at_ (i + p)).
+    + destruct (shares_within t at_ i Hs ltac:(lia)) as [Wa Wb]. replace (n + 5)%nat with (n + 3 + 1 + 1)%nat by lia.
+      apply near_rnd, near_add; apply near_rnd, near_mul; auto.
+    + apply near_weaken with n; auto; lia.
+  - apply near_weaken with n; auto; lia.
+Qed.
+
+(* Beyond multiplicity p nothing is computed. *)
+Lemma insert_copies : forall n t at_ m h he hm, (p <= m <= at_)%nat -> (forall i, near n (h i) (he i) (hm i)) ->
+  forall i, near n (insert_points (A := arith) t p at_ m x h i) (insert_points (A := exact) t p at_ m x he i) (insert_points (A := exact) t p at_ m x hm i).
+Proof.
+  intros n t at_ m h he hm Hm H i. unfold insert_points. destruct (Nat.leb_spec i (at_ - m)); auto. destruct (Nat.ltb_spec at_ (i + p)); auto; lia.
+Qed.
+
+(* curve.h: m = 5 min(times, p) roundings beside those the points began with, relative to the same convex combination of magnitudes. *)
+Theorem inserted_near : forall n t h he hm times, spanned t k -> (s <= k)%nat -> (forall i, near n (h i) (he i) (hm i)) ->
+  forall i, near (n + 5 * Nat.min times p) (inserted (A := arith) t p k s x h times i) (inserted (A := exact) t p k s x he times i)
+    (inserted (A := exact) t p k s x hm times i).
+Proof.
+  intros n t h he hm times Hs Hk H. induction times as [|l IH]; intros i; [now rewrite Nat.add_0_r|].
+  cbn [inserted]. rewrite inserted_knots_same. destruct (Nat.le_gt_cases p l) as [e|e].
+  - replace (Nat.min (S l) p) with (Nat.min l p) by lia. apply insert_copies; auto; lia.
+  - replace (n + 5 * Nat.min (S l) p)%nat with (n + 5 * Nat.min l p + 5)%nat by lia. apply insert_near; auto. now apply inserted_spanned.
+Qed.
+Corollary inserted_polynomial : forall t c times, spanned t k -> (s <= k)%nat ->
+  forall i, near (5 * Nat.min times p) (inserted (A := arith) t p k s x c times i) (inserted (A := exact) t p k s x c times i)
+    (inserted (A := exact) t p k s x (fun i => Rabs (c i)) times i).
+Proof. intros. apply (inserted_near 0); auto. intros; apply near_refl. Qed.
+
+Lemma inserted_pos : forall t w times, spanned t k -> (forall i, 0 < w i) -> forall i, 0 < inserted (A := exact) t p k s x w times i.
+Proof.
+  intros t w times Hs Hw. induction times as [|n IH]; intros i; cbn [inserted]; auto.
+  unfold insert_points. destruct (Nat.leb_spec i (k + n - (s + n))); auto. destruct (Nat.ltb_spec (k + n) (i + p)); auto.
+  pose proof (inserted_spanned t n Hs) as [S1 S2]. set (v := inserted_knots (A := exact) t k x n) in *.
+  assert (v i <= v (k + n)%nat) by (apply knots_le; auto; lia).
+  assert (v (S (k + n)) <= v (i + p)%nat) by (apply knots_le; auto; lia).
+  change (0 < (x - v i) / (v (i + p)%nat - v i) * inserted (A := exact) t p k s x w n i
+            + (v (i + p)%nat - x) / (v (i + p)%nat - v i) * inserted (A := exact) t p k s x w n (i - 1)%nat).
+  apply Rplus_le_lt_0_compat.
+  - apply Rmult_le_pos; [|apply Rlt_le, IH]. apply Rmult_le_pos; [lra|]. apply Rlt_le, Rinv_0_lt_compat; lra.
+  - apply Rmult_lt_0_compat; [|apply IH]. apply Rmult_lt_0_compat; [lra|]. apply Rinv_0_lt_compat; lra.
+Qed.
+(* Weights: all terms are positive. *)
+Lemma inserted_within : forall n t h he times, spanned t k -> (s <= k)%nat -> (forall i, within n (h i) (he i)) ->
+  forall i, within (n + 5 * Nat.min times p) (inserted (A := arith) t p k s x h times i) (inserted (A := exact) t p k s x he times i).
+Proof.
+  intros n t h he times Hs Hk H. induction times as [|l IH]; intros i; [now rewrite Nat.add_0_r|].
+  cbn [inserted]. rewrite inserted_knots_same. unfold insert_points. set (v := inserted_knots (A := exact) t k x l).
+  destruct (Nat.leb_spec i (k + l - (s + l))) as [e|e]; [destruct (Nat.ltb_spec (k + l) (i + p)) as [e'|e']|];
+    try (apply within_weaken with (n + 5 * Nat.min l p)%nat; [lia|apply IH]).
+  destruct (shares_within v (k + l) i (inserted_spanned t l Hs) ltac:(lia)) as [Wa Wb].
+  replace (n + 5 * Nat.min (S l) p)%nat with (3 + (n + 5 * Nat.min l p) + 1 + 1)%nat by lia.
+  apply within_rnd, within_add; apply within_rnd, within_mul; auto.
+Qed.
+(* A rational curve's: m + 1 of the numerator, m of the denominator, one of the division. *)
+Theorem inserted_rational : forall t w c times, spanned t k -> (s <= k)%nat -> (forall i, 0 < w i) ->
+  forall i, near (10 * Nat.min times p + 2)
+    (rnd (inserted (A := arith) t p k s x (fun i => rnd (w i * c i)) times i / inserted (A := arith) t p k s x w times i))
+    (inserted (A := exact) t p k s x (fun i => w i * c i) times i / inserted (A := exact) t p k s x w times i)
+    (inserted (A := exact) t p k s x (fun i => w i * Rabs (c i)) times i / inserted (A := exact) t p k s x w times i).
+Proof.
+  intros t w c times Hs Hk Hw i. replace (10 * Nat.min times p + 2)%nat with (1 + 5 * Nat.min times p + (0 + 5 * Nat.min times p) + 1)%nat by lia.
+  apply near_rnd, near_div.
+  - now apply inserted_pos.
+  - apply inserted_within; auto. intros j. apply within_refl. specialize (Hw j); lra.
+  - apply inserted_near; auto. intros j. apply (near_rnd 0). specialize (Hw j).
+    rewrite <- (Rabs_pos_eq (w j)) at 3 by lra. rewrite <- Rabs_mult. apply near_refl.
+Qed.
+End Insertion.
 End Error.
