@@ -673,4 +673,154 @@ Proof.
     rewrite <- (Rabs_pos_eq (w j)) at 3 by lra. rewrite <- Rabs_mult. apply near_refl.
 Qed.
 End Insertion.
+
+(* ---- derivatives ---- *)
+
+(* The arithmetic of magnitudes: differences become sums.  basis.h: the recursion of the a_kj suffers no cancellation, so there these are |a_kj|. *)
+Definition magnitudes : arithmetic := Arithmetic R 0 1 Rplus Rplus Rmult Rdiv less_R same_R.
+
+Section Derivatives.
+Variable t : nat -> R.
+Hypothesis sorted : forall i, t i <= t (S i).
+Variables (s : nat) (x : R).
+Hypothesis span : t s < t (S s).
+Hypothesis inside : t s <= x <= t (S s).
+Notation L := (to_left (A := arith) t s x).
+Notation Rt := (to_right (A := arith) t s x).
+Notation Le := (to_left (A := exact) t s x).
+Notation Re := (to_right (A := exact) t s x).
+
+Lemma outside_not : forall p r k j, (k <= p)%nat -> outside p r k j = false -> (k <= r + j)%nat /\ (r + j - k <= p - k)%nat.
+Proof. intros p r k j Hk. unfold outside. rewrite orb_false_iff, !Nat.ltb_ge. tauto. Qed.
+
+Lemma coefficient_near : forall p r k, (k <= p)%nat -> forall j,
+  near (4 * k) (coefficient (A := arith) L Rt p r k j) (coefficient (A := exact) Le Re p r k j) (coefficient (A := magnitudes) Le Re p r k j).
+Proof.
+  intros p r. induction k as [|l IH]; intros Hk j.
+  - change (near 0 1 1 1). rewrite <- Rabs_R1 at 3. apply near_refl.
+  - assert (Z : forall n, near n 0 0 0) by (intros; split; [rewrite Rminus_eq_0, Rabs_R0; lra|rewrite Rabs_R0; lra]).
+    cbn [coefficient]. destruct (outside p r (S l) j) eqn:O; [apply Z|]. apply outside_not in O; [|lia].
+    set (i := (r + j - S l)%nat) in *. replace (4 * S l)%nat with (4 * l + 1 + 2 + 1)%nat by lia.
+    pose proof (width_within t sorted s x inside (p - S l + 1) i ltac:(lia)) as W.
+    pose proof (width_exact_pos t sorted s x span (p - S l + 1) i ltac:(lia)) as Wpos.
+    apply near_rnd. apply (near_div _ 2); [exact Wpos|exact W|]. apply near_rnd.
+    apply near_sub; [destruct (j <? S l)%nat|destruct j as [|j']]; try apply Z; apply IH; lia.
+Qed.
+
+(* Signs alternate, (-1)^j: no difference cancels. *)
+Theorem coefficient_sign : forall p r k j, (k <= p)%nat -> (j <= k)%nat ->
+  coefficient (A := exact) Le Re p r k j = (-1) ^ j * coefficient (A := magnitudes) Le Re p r k j.
+Proof.
+  intros p r. induction k as [|l IH]; intros j Hk Hj.
+  - replace j with O by lia. change (1 = (-1) ^ 0 * 1). ring.
+  - cbn [coefficient]. destruct (outside p r (S l) j); [change (0 = (-1) ^ j * 0); ring|].
+    assert (E : forall a b wd, a = (-1) ^ j * b -> a / wd = (-1) ^ j * (b / wd)) by (intros a b wd ->; unfold Rdiv; ring).
+    apply (E _ _ (Re (r + j - S l + 1)%nat + Le (p - S l + 1 - (r + j - S l))%nat)). clear E.
+    destruct (Nat.ltb_spec j (S l)) as [e|e]; destruct j as [|i].
+    + rewrite IH by lia. change ((-1) ^ 0 * coefficient (A := magnitudes) Le Re p r l 0 - 0 = (-1) ^ 0 * (coefficient (A := magnitudes) Le Re p r l 0 + 0)). ring.
+    + rewrite !IH by lia.
+      change ((-1) ^ S i * coefficient (A := magnitudes) Le Re p r l (S i) - (-1) ^ i * coefficient (A := magnitudes) Le Re p r l i =
+              (-1) ^ S i * (coefficient (A := magnitudes) Le Re p r l (S i) + coefficient (A := magnitudes) Le Re p r l i)).
+      cbn [pow]. ring.
+    + lia.
+    + rewrite IH by lia. change (0 - (-1) ^ i * coefficient (A := magnitudes) Le Re p r l i = (-1) ^ S i * (0 + coefficient (A := magnitudes) Le Re p r l i)).
+      cbn [pow]. ring.
+Qed.
+Corollary coefficient_magnitude : forall p r k j, (k <= p)%nat -> (j <= k)%nat ->
+  Rabs (coefficient (A := exact) Le Re p r k j) = coefficient (A := magnitudes) Le Re p r k j.
+Proof.
+  intros p r k j Hk Hj. rewrite coefficient_sign, Rabs_mult, pow_1_abs by auto. pose proof (near_magnitude _ _ _ _ (coefficient_near p r k Hk j)).
+  rewrite Rabs_pos_eq by auto. ring.
+Qed.
+
+(* The functions of lower degree that the sum meets. *)
+Notation N := (entry (A := arith) L Rt).
+Notation Ne := (entry (A := exact) Le Re).
+Definition magnitude_sum (p r k n : nat) : R :=
+  total (fun j => if outside p r k j then 0 else Rabs (coefficient (A := exact) Le Re p r k j) * Ne (p - k)%nat (r + j - k)%nat) n.
+
+Lemma derivative_sum_near : forall p r k n, (k <= p)%nat -> (n <= k + 1)%nat ->
+  near (4 * k + steps (p - k) + 1 + (n - 1)) (derivative_sum (A := arith) L Rt p r k n) (derivative_sum (A := exact) Le Re p r k n) (magnitude_sum p r k n).
+Proof.
+  intros p r k n Hk. induction n as [|j IH]; intros Hn.
+  - split; cbn; [rewrite Rminus_eq_0, Rabs_R0; lra|rewrite Rabs_R0; lra].
+  - specialize (IH ltac:(lia)). unfold magnitude_sum in *. cbn [total derivative_sum]. destruct (outside p r k j) eqn:O.
+    + rewrite Rplus_0_r. apply near_weaken with (2 := IH). lia.
+    + apply outside_not in O; auto. rewrite coefficient_magnitude by lia.
+      set (i := (r + j - k)%nat) in *.
+      assert (T : near (4 * k + steps (p - k) + 1) (rnd (coefficient (A := arith) L Rt p r k j * N (p - k)%nat i))
+        (coefficient (A := exact) Le Re p r k j * Ne (p - k)%nat i) (coefficient (A := magnitudes) Le Re p r k j * Ne (p - k)%nat i)).
+      { apply near_rnd. rewrite (Rmult_comm (coefficient (A := arith) L Rt p r k j)), (Rmult_comm (coefficient (A := exact) Le Re p r k j)),
+          (Rmult_comm (coefficient (A := magnitudes) Le Re p r k j)). apply near_mul; [apply entry_within; auto; lia|now apply coefficient_near]. }
+      destruct j as [|j'].
+      * change (near (4 * k + steps (p - k) + 1 + (1 - 1)) (rnd (0 + rnd (coefficient (A := arith) L Rt p r k 0 * N (p - k)%nat i)))
+          (0 + coefficient (A := exact) Le Re p r k 0 * Ne (p - k)%nat i) (0 + coefficient (A := magnitudes) Le Re p r k 0 * Ne (p - k)%nat i)).
+        rewrite !Rplus_0_l, rnd_idem. apply near_weaken with (2 := T). lia.
+      * replace (4 * k + steps (p - k) + 1 + (S (S j') - 1))%nat with (4 * k + steps (p - k) + 1 + (S j' - 1) + 1)%nat by lia.
+        refine (near_rnd _ (_ + _) (_ + _) _ _). apply near_add; auto. apply near_weaken with (2 := T). lia.
+Qed.
+
+Lemma factor_within : forall p k, within k (factor (A := arith) INR p k) (factor (A := exact) INR p k).
+Proof.
+  intros p. induction k as [|l IH]; [exact (within_refl 0 1 Rle_0_1)|].
+  replace (S l) with (l + 0 + 1)%nat at 1 by lia.
+  refine (within_rnd _ (factor (A := arith) INR p l * INR (p - S l + 1)) (factor (A := exact) INR p l * INR (p - S l + 1)) _).
+  apply within_mul; auto. apply within_refl, pos_INR.
+Qed.
+
+(* docs/accuracy.md, basis.h: 6p + 2 roundings relative to p!/(p-k)! sum_j |a_kj| N_(i+j,p-k), for every k <= p. *)
+Theorem derivative_near : forall p r k, (1 <= k <= p)%nat ->
+  near (6 * p + 2) (derivative (A := arith) L Rt INR p r k) (derivative (A := exact) Le Re INR p r k)
+    (factor (A := exact) INR p k * magnitude_sum p r k (k + 1)).
+Proof.
+  intros p r k Hk. pose proof (derivative_sum_near p r k (k + 1) ltac:(lia) ltac:(lia)) as D.
+  apply near_weaken with (4 * k + steps (p - k) + 1 + (k + 1 - 1) + k + 1)%nat.
+  { unfold steps. destruct (p - k)%nat eqn:E; lia. }
+  unfold derivative. refine (near_rnd _ (derivative_sum (A := arith) L Rt p r k (k + 1) * factor (A := arith) INR p k)
+    (derivative_sum (A := exact) Le Re p r k (k + 1) * factor (A := exact) INR p k) _ _).
+  rewrite (Rmult_comm (derivative_sum (A := arith) L Rt p r k (k + 1))), (Rmult_comm (derivative_sum (A := exact) Le Re p r k (k + 1))).
+  apply near_mul; auto. apply factor_within.
+Qed.
+
+(* curve.h: 7p + 3 roundings of a polynomial curve's derivative relative to the magnitudes of all its terms. *)
+Theorem curve_derivative_near : forall p k P, (1 <= k <= p)%nat ->
+  near (7 * p + 3) (contract (A := arith) (fun r => derivative (A := arith) L Rt INR p r k) P p)
+    (contract (A := exact) (fun r => derivative (A := exact) Le Re INR p r k) P p)
+    (contract (A := exact) (fun r => factor (A := exact) INR p k * magnitude_sum p r k (k + 1)) (fun r => Rabs (P r)) p).
+Proof.
+  intros p k P Hk. replace (7 * p + 3)%nat with (6 * p + 2 + 1 + p)%nat by lia. apply contract_near_exact. intros r Hr. now apply derivative_near.
+Qed.
+End Derivatives.
 End Error.
+
+(* ---- over the reals the functions are a partition of unity: 4p - 1 roundings that do nothing ---- *)
+
+Lemma plain_error : forall y, Rabs (plain y - y) <= 0 * Rabs y.
+Proof. intros. unfold plain. rewrite Rminus_eq_0, Rabs_R0, Rmult_0_l. lra. Qed.
+
+Theorem cox_unity : forall t s x p, (forall i, t i <= t (S i)) -> t s < t (S s) -> t s <= x <= t (S s) -> (p <= s)%nat ->
+  total (fun r => cox t s x p (s - p + r)) (S p) = 1.
+Proof.
+  intros t s x p Ht Hs Hx Hp.
+  destruct (basis_at_sum 0 ltac:(lra) plain plain_error (fun _ => eq_refl) t Ht s x Hs Hx p Hp) as (_ & _ & h1 & h2).
+  replace (1 - 0) with 1 in * by ring. rewrite pow1 in *.
+  rewrite (total_ext _ _ (fun r => nth r (basis_at (A := exact) t p s x) 0)); [change exact with (rounded plain); lra|].
+  intros r Hr. destruct (basis_at_within 0 ltac:(lra) plain plain_error (fun _ => eq_refl) t Ht s x Hs Hx p r Hp ltac:(lia)) as (_ & _ & g1 & g2).
+  replace (1 - 0) with 1 in * by ring. rewrite pow1 in *. change exact with (rounded plain). lra.
+Qed.
+
+(* So what et_basis_eval computes is a row in the sense of the theorems on points. *)
+Theorem basis_row : forall u rnd t s x p, 0 <= u < 1 -> (forall y, Rabs (rnd y - y) <= u * Rabs y) -> (forall y, rnd (rnd y) = rnd y) ->
+  (forall i, t i <= t (S i)) -> t s < t (S s) -> t s <= x <= t (S s) -> (p <= s)%nat ->
+  row u p (fun r => nth r (basis_at (A := rounded rnd) t p s x) 0) (fun r => cox t s x p (s - p + r)).
+Proof. intros. split; [intros; now apply basis_at_within|now apply cox_unity]. Qed.
+
+(* Powers of 1 - u and multiples of u: (1-u)^-k - 1 is at most k u / (1 - k u). *)
+Lemma near_gamma : forall u k a b m, 0 <= u < 1 -> INR k * u < 1 -> near u k a b m -> Rabs (a - b) <= INR k * u / (1 - INR k * u) * m.
+Proof.
+  intros u k a b m Hu Hk N. pose proof (near_magnitude _ _ _ _ _ N) as Hm. destruct N as [h _].
+  assert (B : forall n, 1 - INR n * u <= (1 - u) ^ n).
+  { induction n as [|n IH]; [simpl; lra|]. rewrite S_INR; simpl. pose proof (power_pos u Hu n). pose proof (pos_INR n). nra. }
+  pose proof (B k). assert (/ (1 - u) ^ k <= / (1 - INR k * u)) by (apply Rinv_le_contravar; lra).
+  replace (INR k * u / (1 - INR k * u)) with (/ (1 - INR k * u) - 1) by (field; lra). nra.
+Qed.
