@@ -272,3 +272,76 @@ Fixpoint factor (of_nat : nat -> A) (p k : nat) : A :=
 Definition derivative left right of_nat (p r k : nat) : A := mul (derivative_sum left right p r k (k + 1)) (factor of_nat p k).
 
 End Scheme.
+
+(* ---- what two arithmetics have in common, the loops have in common ---- *)
+
+Section Related.
+Context {A B : arithmetic} (rel : A -> B -> Prop).
+Hypothesis rel_zero : rel zero zero.
+Hypothesis rel_one : rel one one.
+Hypothesis rel_add : forall a a' b b', rel a a' -> rel b b' -> rel (add a b) (add a' b').
+Hypothesis rel_sub : forall a a' b b', rel a a' -> rel b b' -> rel (sub a b) (sub a' b').
+Hypothesis rel_mul : forall a a' b b', rel a a' -> rel b b' -> rel (mul a b) (mul a' b').
+Hypothesis rel_div : forall a a' b b', rel a a' -> rel b b' -> rel (div a b) (div a' b').
+Definition rel_all (f : nat -> A) (g : nat -> B) : Prop := forall i, rel (f i) (g i).
+
+Lemma to_left_related : forall u u' s x x', rel_all u u' -> rel x x' -> rel_all (to_left u s x) (to_left u' s x').
+Proof. intros u u' s x x' Hu Hx j. apply rel_sub; auto. Qed.
+Lemma to_right_related : forall u u' s x x', rel_all u u' -> rel x x' -> rel_all (to_right u s x) (to_right u' s x').
+Proof. intros u u' s x x' Hu Hx j. apply rel_sub; auto. Qed.
+
+Lemma entry_related : forall l l' r r', rel_all l l' -> rel_all r r' -> forall j, rel_all (entry l r j) (entry l' r' j).
+Proof.
+  intros l l' r r' Hl Hr. induction j as [|j IH]; intros i; cbn [entry]; auto.
+  assert (HT : forall k, rel (temp l r (entry l r j) (S j) k) (temp l' r' (entry l' r' j) (S j) k)) by (intros; apply rel_div, rel_add; auto).
+  assert (HS : forall k, rel (saved l r (entry l r j) (S j) k) (saved l' r' (entry l' r' j) (S j) k)) by (destruct k; cbn [saved]; auto).
+  unfold next. destruct (i =? S j); auto.
+Qed.
+Lemma outer_related : forall l l' r r', rel_all l l' -> rel_all r r' -> forall j, Forall2 rel (outer l r j) (outer l' r' j).
+Proof.
+  intros l l' r r' Hl Hr. assert (E : forall j N N', Forall2 rel N N' -> forall i s s', rel s s' -> Forall2 rel (inner l r j i s N) (inner l' r' j i s' N')).
+  { intros j N N' H. induction H; intros i s s' Hs; cbn [inner]; [auto|]. constructor; [|apply IHForall2]; auto 6. }
+  induction j; cbn [outer]; auto.
+Qed.
+Lemma contract_related : forall N N' P P' p, rel_all N N' -> rel_all P P' -> rel (contract N P p) (contract N' P' p).
+Proof. intros N N' P P' p HN HP. induction p; cbn [contract]; auto. Qed.
+Lemma inserted_knots_related : forall u u' k x x' n, rel_all u u' -> rel x x' -> rel_all (inserted_knots u k x n) (inserted_knots u' k x' n).
+Proof.
+  intros u u' k x x' n Hu Hx. induction n as [|n IH]; cbn [inserted_knots]; auto. intros i. unfold insert_knots.
+  destruct (i <=? k + n); auto. destruct (i =? k + n + 1); auto.
+Qed.
+Lemma inserted_related : forall u u' p k s x x' h h' n, rel_all u u' -> rel x x' -> rel_all h h' ->
+  rel_all (inserted u p k s x h n) (inserted u' p k s x' h' n).
+Proof.
+  intros u u' p k s x x' h h' n Hu Hx Hh. induction n as [|n IH]; cbn [inserted]; auto. intros i. unfold insert_points.
+  pose proof (inserted_knots_related u u' k x x' n Hu Hx) as Hk.
+  destruct (i <=? k + n - (s + n)); auto. destruct (k + n <? i + p); auto. unfold share_a, share_b. auto 12.
+Qed.
+Lemma derivative_related : forall l l' r r' f f' p i k, rel_all l l' -> rel_all r r' -> rel_all f f' -> rel (derivative l r f p i k) (derivative l' r' f' p i k).
+Proof.
+  intros l l' r r' f f' p i k Hl Hr Hf. pose proof (entry_related l l' r r' Hl Hr) as HN.
+  assert (HC : forall k j, rel (coefficient l r p i k j) (coefficient l' r' p i k j)).
+  { induction k0 as [|m IH]; intros j; cbn [coefficient]; auto. destruct (outside p i (S m) j); auto.
+    apply rel_div, rel_add; auto. apply rel_sub; [destruct (j <? S m)|destruct j]; auto. }
+  assert (HD : forall n, rel (derivative_sum l r p i k n) (derivative_sum l' r' p i k n)).
+  { induction n as [|n IH]; cbn [derivative_sum]; auto. destruct (outside p i k n); auto. apply rel_add, rel_mul; auto. apply HN. }
+  assert (HF : forall m, rel (factor f p m) (factor f' p m)) by (induction m; cbn [factor]; auto).
+  apply rel_mul; auto.
+Qed.
+
+(* Where comparisons agree, too, so does the whole function. *)
+Hypothesis rel_less : forall a a' b b', rel a a' -> rel b b' -> less a b = less a' b'.
+Hypothesis rel_same : forall a a' b b', rel a a' -> rel b b' -> same a b = same a' b'.
+Theorem basis_eval_related : forall u u' nu p s x x', rel_all u u' -> rel x x' -> Forall2 rel (basis_eval u nu p s x) (basis_eval u' nu p s x').
+Proof.
+  intros u u' nu p s x x' Hu Hx. assert (HC : rel (clamp x (u p) (u (nu - p - 1))) (clamp x' (u' p) (u' (nu - p - 1)))).
+  { unfold clamp. rewrite (rel_less x x' (u p) (u' p)), (rel_less (u (nu - p - 1)) (u' (nu - p - 1)) x x') by auto.
+    destruct (less x' (u' p)); auto. destruct (less (u' (nu - p - 1)) x'); auto. }
+  unfold basis_eval, basis_at. set (y := clamp x _ _) in *. set (y' := clamp x' _ _) in *.
+  pose proof (to_left_related u u' s y y' Hu HC) as HL. pose proof (to_right_related u u' s y y' Hu HC) as HR.
+  assert (E : only_of u p s y = only_of u' p s y').
+  { unfold only_of. rewrite (rel_same _ _ zero zero (HL p) rel_zero), (rel_same _ _ zero zero (HR p) rel_zero). reflexivity. }
+  rewrite E. destruct (only_of u' p s y' <=? p); [|now apply outer_related].
+  unfold unit_row. induction (seq 0 (p + 1)); cbn [map]; constructor; auto. destruct (a =? only_of u' p s y'); auto.
+Qed.
+End Related.
