@@ -1,0 +1,192 @@
+(* The bounds of Rounding.v for IEEE binary64 (Flocq's: gradual underflow, infinities), under conditions that are written out: `guarded` is an
+   arithmetic that carries, beside the rounded value, the proposition that no operation that led to it over- or underflowed:
+     a sum or difference must not overflow (it never underflows: where it is small it is exact);
+     a product or quotient must be 0 or at least 2^-1022, and must not overflow; a divisor must not be 0.
+   Where that holds the numbers of the machine are those of unbounded exponents, and every theorem of Rounding.v applies.
+   `guard_enough` gives a condition on the knots alone. *)
+From Coq Require Import Reals Lra Lia Arith ZArith Psatz List Bool Floats.
+From Flocq Require Import Core Relative Plus_error IEEE754.BinarySingleNaN.
+From Etalon Require Import RoundingScheme Rounding.
+Open Scope R_scope.
+
+(* ---- 53 bits to nearest, ties to even; unbounded exponents (rnd) and those of binary64 (rnd64) ---- *)
+
+Definition u64 : R := bpow radix2 (-53).
+Definition rnd : R -> R := round radix2 (FLX_exp 53) ZnearestE.
+Definition rnd64 : R -> R := round radix2 (FLT_exp (-1074) 53) ZnearestE.
+Definition least : R := bpow radix2 (-1022).
+Definition most : R := bpow radix2 1024.
+
+Lemma u64_range : 0 <= u64 < 1.
+Proof. unfold u64; simpl; lra. Qed.
+#[local] Instance precision : Prec_gt_0 53.
+Proof. reflexivity. Qed.
+Lemma rnd_error : forall y, Rabs (rnd y - y) <= u64 * Rabs y.
+Proof.
+  intros y. pose proof (relative_error_N_FLX radix2 53 precision (fun x => negb (Z.even x)) y) as H.
+  change (round radix2 (FLX_exp 53) (Znearest (fun x => negb (Z.even x))) y) with (rnd y) in H.
+  replace (/ 2 * bpow radix2 (- (53) + 1)) with u64 in H; auto. unfold u64; simpl; lra.
+Qed.
+Lemma rnd_idem : forall y, rnd (rnd y) = rnd y.
+Proof.
+  intros y. apply round_generic; [apply valid_rnd_N|]. apply generic_format_round; [apply FLX_exp_valid; reflexivity|apply valid_rnd_N].
+Qed.
+Lemma format_rnd : forall y, generic_format radix2 (FLT_exp (-1074) 53) y -> rnd y = y.
+Proof.
+  intros y H. apply round_generic; [apply valid_rnd_N|]. now apply generic_format_FLX_FLT with (emin := (-1074)%Z).
+Qed.
+Lemma rnd64_normal : forall y, y = 0 \/ least <= Rabs y -> rnd64 y = rnd y.
+Proof.
+  intros y [->|H]; unfold rnd64, rnd.
+  - now rewrite !round_0 by apply valid_rnd_N.
+  - apply round_FLT_FLX. exact H.
+Qed.
+Lemma rnd64_sum : forall x y, generic_format radix2 (FLT_exp (-1074) 53) x -> generic_format radix2 (FLT_exp (-1074) 53) y -> rnd64 (x + y) = rnd (x + y).
+Proof.
+  intros x y Hx Hy. destruct (Rle_or_lt least (Rabs (x + y))) as [h|h]; [apply rnd64_normal; auto|].
+  assert (G : generic_format radix2 (FLT_exp (-1074) 53) (x + y)).
+  { apply (FLT_format_plus_small radix2 (-1074) 53); auto. apply Rlt_le, Rlt_le_trans with (1 := h). unfold least. apply bpow_le. lia. }
+  rewrite format_rnd by auto. apply round_generic; [apply valid_rnd_N|auto].
+Qed.
+
+(* ---- the machine's numbers and the guarded ones ---- *)
+
+#[local] Instance prec_pos : FLX.Prec_gt_0 prec := eq_refl.
+#[local] Instance prec_emax : Prec_lt_emax prec emax := eq_refl.
+Notation float64 := (binary_float prec emax).
+Definition binary64 : arithmetic :=
+  Arithmetic float64 (B754_zero false) Bone (Bplus mode_NE) (Bminus mode_NE) (Bmult mode_NE) (Bdiv mode_NE) Bltb Beqb.
+
+Definition guarded_number : Type := (R * Prop)%type.
+Definition lifted (op : R -> R -> R) (safe : R -> R -> Prop) (a b : guarded_number) : guarded_number :=
+  (rnd (op (fst a) (fst b)), snd a /\ snd b /\ safe (fst a) (fst b)).
+Definition no_overflow (y : R) : Prop := Rabs (rnd y) < most.
+Definition no_underflow (y : R) : Prop := y = 0 \/ least <= Rabs y.
+Definition guarded : arithmetic :=
+  Arithmetic guarded_number (0, True) (1, True)
+    (lifted Rplus (fun x y => no_overflow (x + y))) (lifted Rminus (fun x y => no_overflow (x - y)))
+    (lifted Rmult (fun x y => no_overflow (x * y) /\ no_underflow (x * y)))
+    (lifted Rdiv (fun x y => y <> 0 /\ no_overflow (x / y) /\ no_underflow (x / y)))
+    (fun a b => less_R (fst a) (fst b)) (fun a b => same_R (fst a) (fst b)).
+
+(* b is the guarded number a, provided nothing went wrong on the way. *)
+Definition holds (b : binary64) (a : guarded) : Prop := snd a -> is_finite b = true /\ B2R b = fst a.
+Definition value (a : guarded) (y : rounded rnd) : Prop := fst a = y.
+
+Lemma format : forall b : float64, generic_format radix2 (FLT_exp (-1074) 53) (B2R b).
+Proof. intros b. exact (generic_format_B2R prec emax b). Qed.
+Lemma bounded : forall y, Rabs y < most -> Rlt_bool (Rabs y) (bpow radix2 emax) = true.
+Proof. intros. now apply Rlt_bool_true. Qed.
+
+Lemma holds_add : forall a a' b b', holds a a' -> holds b b' -> holds (add a b) (add a' b').
+Proof.
+  intros a [x P] b [y Q] Ha Hb (HP & HQ & HS). cbn in *. destruct (Ha HP) as [Fa Ra], (Hb HQ) as [Fb Rb]. cbn in *. subst x y.
+  pose proof (Bplus_correct prec emax _ _ mode_NE a b Fa Fb) as H. change (round radix2 _ _ (B2R a + B2R b)) with (rnd64 (B2R a + B2R b)) in H.
+  rewrite rnd64_sum in H by apply format. rewrite bounded in H by exact HS. tauto.
+Qed.
+Lemma holds_sub : forall a a' b b', holds a a' -> holds b b' -> holds (sub a b) (sub a' b').
+Proof.
+  intros a [x P] b [y Q] Ha Hb (HP & HQ & HS). cbn in *. destruct (Ha HP) as [Fa Ra], (Hb HQ) as [Fb Rb]. cbn in *. subst x y.
+  pose proof (Bminus_correct prec emax _ _ mode_NE a b Fa Fb) as H. change (round radix2 _ _ (B2R a - B2R b)) with (rnd64 (B2R a - B2R b)) in H.
+  unfold Rminus in H. rewrite rnd64_sum in H by (try apply generic_format_opp; apply format). fold (B2R a - B2R b) in H. rewrite bounded in H by exact HS. tauto.
+Qed.
+Lemma holds_mul : forall a a' b b', holds a a' -> holds b b' -> holds (mul a b) (mul a' b').
+Proof.
+  intros a [x P] b [y Q] Ha Hb (HP & HQ & HS & HU). cbn in *. destruct (Ha HP) as [Fa Ra], (Hb HQ) as [Fb Rb]. cbn in *. subst x y.
+  pose proof (Bmult_correct prec emax _ _ mode_NE a b) as H. change (round radix2 _ _ (B2R a * B2R b)) with (rnd64 (B2R a * B2R b)) in H.
+  rewrite rnd64_normal in H by exact HU. rewrite bounded in H by exact HS. rewrite Fa, Fb in H. cbn in H. tauto.
+Qed.
+Lemma holds_div : forall a a' b b', holds a a' -> holds b b' -> holds (div a b) (div a' b').
+Proof.
+  intros a [x P] b [y Q] Ha Hb (HP & HQ & HZ & HS & HU). cbn in *. destruct (Ha HP) as [Fa Ra], (Hb HQ) as [Fb Rb]. cbn in *. subst x y.
+  pose proof (Bdiv_correct prec emax _ _ mode_NE a b HZ) as H. change (round radix2 _ _ (B2R a / B2R b)) with (rnd64 (B2R a / B2R b)) in H.
+  rewrite rnd64_normal in H by exact HU. rewrite bounded in H by exact HS. rewrite Fa in H. cbn in H. tauto.
+Qed.
+Lemma holds_zero : holds zero zero.
+Proof. now intros _. Qed.
+Lemma holds_one : holds one one.
+Proof. intros _. split; [reflexivity|exact (Bone_correct prec emax _ _)]. Qed.
+Lemma value_op : forall op safe a y b z, fst a = y -> fst b = z -> fst (lifted op safe a b) = rnd (op y z).
+Proof. intros; subst; reflexivity. Qed.
+
+(* A number that is given: finite, and nothing has gone wrong yet. *)
+Definition given (b : float64) : guarded := (B2R b, True).
+Lemma given_holds : forall b, is_finite b = true -> holds b (given b).
+Proof. now intros b H _. Qed.
+
+(* ---- the loops ---- *)
+
+Section Basis.
+Variables (t : nat -> float64) (p s : nat) (x : float64).
+Hypothesis knots_finite : forall i, is_finite (t i) = true.
+Hypothesis x_finite : is_finite x = true.
+Notation T := (fun i => B2R (t i)).
+Notation X := (B2R x).
+Notation L := (to_left (A := binary64) t s x).
+Notation Rt := (to_right (A := binary64) t s x).
+Notation Lg := (to_left (A := guarded) (fun i => given (t i)) s (given x)).
+Notation Rg := (to_right (A := guarded) (fun i => given (t i)) s (given x)).
+
+Lemma given_all : rel_all (A := binary64) (B := guarded) holds t (fun i => given (t i)).
+Proof. intros i. now apply given_holds. Qed.
+Lemma left_holds : rel_all (A := binary64) (B := guarded) holds L Lg.
+Proof. apply to_left_related; [exact holds_sub|exact given_all|now apply given_holds]. Qed.
+Lemma right_holds : rel_all (A := binary64) (B := guarded) holds Rt Rg.
+Proof. apply to_right_related; [exact holds_sub|exact given_all|now apply given_holds]. Qed.
+Lemma entry_holds : forall j r, holds (entry (A := binary64) L Rt j r) (entry (A := guarded) Lg Rg j r).
+Proof.
+  apply (entry_related (A := binary64) (B := guarded) holds);
+    auto using holds_zero, holds_one, holds_add, holds_sub, holds_mul, holds_div, left_holds, right_holds.
+Qed.
+Lemma entry_value : forall j r, fst (entry (A := guarded) Lg Rg j r) = entry (A := rounded rnd) (to_left (A := rounded rnd) T s X) (to_right (A := rounded rnd) T s X) j r.
+Proof.
+  apply (entry_related (A := guarded) (B := rounded rnd) value); try reflexivity;
+    try (intros; apply value_op; assumption); intros j; reflexivity.
+Qed.
+
+(* What must not go wrong: the differences and, unless the special case makes them superfluous, the values. *)
+Definition row_safe : Prop :=
+  (1 <= p)%nat -> (snd (Lg p) /\ snd (Rg p)) /\
+  ((p < only_of (A := rounded rnd) T p s X)%nat -> forall r, (r <= p)%nat -> snd (entry (A := guarded) Lg Rg p r)).
+
+Lemma only_agrees : row_safe -> only_of (A := binary64) t p s x = only_of (A := rounded rnd) T p s X.
+Proof.
+  intros H. unfold only_of. destruct (Nat.eqb_spec p 0); [reflexivity|]. destruct (H ltac:(lia)) as [[HL HR] _].
+  destruct (left_holds p HL) as [Fl El], (right_holds p HR) as [Fr Er].
+  assert (E : forall b : float64, is_finite b = true -> same (a := binary64) b (zero (a := binary64)) = same_R (B2R b) 0).
+  { intros b Fb. refine (eq_trans (Beqb_correct prec emax b (B754_zero false) Fb eq_refl) _). unfold same_R.
+    change (B2R (B754_zero false)) with 0. destruct (Req_EM_T (B2R b) 0); case Req_bool_spec; intros; auto; contradiction. }
+  rewrite !E, El, Er by auto. reflexivity.
+Qed.
+
+(* et_basis_eval on binary64: each value is finite and the real scheme's. *)
+Theorem basis_at_value : row_safe -> forall r, (r <= p)%nat ->
+  let b := nth r (basis_at (A := binary64) t p s x) (B754_zero false) in
+  is_finite b = true /\ B2R b = nth r (basis_at (A := rounded rnd) T p s X) 0.
+Proof.
+  intros H r Hr. unfold basis_at. rewrite (only_agrees H). set (only := only_of (A := rounded rnd) T p s X) in *.
+  destruct (Nat.leb_spec only p) as [h|h].
+  - rewrite (unit_row_nth (A := binary64)), (unit_row_nth (A := rounded rnd)) by auto. destruct (r =? only)%nat; [|now cbn].
+    split; [reflexivity|exact (Bone_correct prec emax _ _)].
+  - rewrite (outer_is_entry (A := binary64) L Rt _ p r Hr). rewrite (outer_is_entry (A := rounded rnd) _ _ 0 p r Hr).
+    rewrite <- entry_value. apply entry_holds. destruct (Nat.eq_dec p 0) as [e|e].
+    + exfalso. revert h. unfold only, only_of. rewrite e. cbn. lia.
+    + destruct (H ltac:(lia)) as [_ H2]. now apply H2.
+Qed.
+
+Hypothesis sorted : forall i, T i <= T (S i).
+Hypothesis degree : (p <= s)%nat.
+Hypothesis span : T s < T (S s).
+Hypothesis inside : T s <= X <= T (S s).
+
+Theorem basis64_within : row_safe -> forall r, (r <= p)%nat ->
+  within u64 (6 * p - 1) (B2R (nth r (basis_at (A := binary64) t p s x) (B754_zero false))) (cox T s X p (s - p + r)).
+Proof.
+  intros H r Hr. destruct (basis_at_value H r Hr) as [_ ->]. apply basis_at_within; auto using u64_range, rnd_error, rnd_idem.
+Qed.
+Theorem basis64_sum : row_safe -> within u64 (4 * p - 1) (total (fun r => B2R (nth r (basis_at (A := binary64) t p s x) (B754_zero false))) (S p)) 1.
+Proof.
+  intros H. rewrite (total_ext _ _ (fun r => nth r (basis_at (A := rounded rnd) T p s X) 0)) by (intros; apply basis_at_value; auto; lia).
+  apply basis_at_sum; auto using u64_range, rnd_error, rnd_idem.
+Qed.
+End Basis.
