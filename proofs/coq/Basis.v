@@ -1,7 +1,8 @@
 (* Basis: the B-spline basis functions of Cox and de Boor, of any degree p and over any non-decreasing knots, with 0/0 = 0.
 
-   Knots are a function t : nat -> R, of which a knot vector t_0 .. t_(n+p) of n control points is the beginning; what is said of n
-   functions depends on no other knot (basis_ext).  The domain is [t_p, t_n].  The header etalon/spline/basis.h has the same definition,
+   Knots are a function t : nat -> R, of which a knot vector t_0 .. t_(n+p) of n control points is the beginning (let the last knot go on);
+   what is said of n functions depends on no other knot (basis_ext).  The domain is [t_p, t_n].  The header etalon/spline/basis.h has the same
+   definition,
        N_i,0(x) = 1 if t_i <= x < t_(i+1) (the last non-empty span of the domain is closed), else 0,
        N_i,p(x) = (x - t_i)/(t_(i+p) - t_i) N_i,p-1(x) + (t_(i+p+1) - x)/(t_(i+p+1) - t_(i+1)) N_i+1,p-1(x),
    and, as there, x outside the domain is clamped to it; so the theorems hold for all real x. *)
@@ -279,6 +280,29 @@ Proof. intros; apply clamp_range; lra. Qed.
 
 Lemma inside_span : forall x, is_span t p n (inside x) (span t n (inside x)).
 Proof. intros; apply span_correct; auto. apply inside_range. Qed.
+
+(* Beyond the domain the functions have the values of its ends. *)
+Lemma basis_inside : forall x i, basis t p n i (inside x) = basis t p n i x.
+Proof.
+  intros x i. unfold basis. fold (inside x). fold (inside (inside x)).
+  assert (E : inside (inside x) = inside x) by (unfold inside at 1; apply clamp_id, inside_range). now rewrite E.
+Qed.
+
+Lemma inside_left : forall x, x <= t p -> inside x = t p.
+Proof. intros; unfold inside, clamp; destruct (Rlt_dec x (t p)); [|destruct (Rlt_dec (t n) x)]; lra. Qed.
+
+Lemma inside_right : forall x, t n <= x -> inside x = t n.
+Proof. intros; unfold inside, clamp; destruct (Rlt_dec x (t p)); [|destruct (Rlt_dec (t n) x)]; lra. Qed.
+
+(* The clauses that et_knots_span ensures of its result s, for any x, make s the span of x: so that is what the code computes with. *)
+Theorem span_ensured : forall x s, (p <= s < n)%nat -> t s < t (S s) -> (t p <= x < t n -> t s <= x < t (S s)) ->
+  (t n <= x -> t (S s) = t n) -> (x < t p -> t s = t p) -> is_span t p n (inside x) s.
+Proof.
+  intros x s Hr Hn Hi HR HL. unfold inside, clamp. destruct (Rlt_dec x (t p)); [|destruct (Rlt_dec (t n) x)].
+  - specialize (HL r). split; auto; lra.
+  - specialize (HR ltac:(lra)). split; auto; lra.
+  - destruct (Req_dec x (t n)) as [->|]; [specialize (HR ltac:(lra))|specialize (Hi ltac:(lra))]; split; auto; lra.
+Qed.
 
 (* A span with the stated property is the one that is meant. *)
 Lemma basis_at : forall s x i, is_span t p n (inside x) s -> basis t p n i x = B t s p i (inside x).

@@ -86,13 +86,19 @@ Theorem curve_ext : forall t t' p n P P' x, (p < n)%nat -> (forall j, (j <= n + 
   (forall i, (i < n)%nat -> P i = P' i) -> curve t p n P x = curve t' p n P' x.
 Proof. intros. apply comb_ext. intros; split; auto. now apply basis_ext. Qed.
 
-(* That the end knots stand no more than p+1 times is needed: with one zero more the curve begins at its second control point. *)
-Theorem clamped_strict_needed : exists t p n, knots t p n /\ t O = t p /\ t n = t (n + p)%nat /\
-  forall P, curve t p n P (t p) = P 1%nat.
+(* ---- that end knots stand no more than p+1 times is needed ---- *)
+
+(* Knots 0 0 0 1 1 1 ... of a curve of degree 1 with 3 control points: the first two are equal and the last two, but 0 stands three times. *)
+Definition zeros (i : nat) : R := if le_lt_dec i 2 then 0 else 1.
+
+Lemma zeros_knots : knots zeros 1 3.
 Proof.
-  exists (fun i => if le_lt_dec i 2 then 0 else 1), 1%nat, 3%nat.
-  assert (K : knots (fun i => if le_lt_dec i 2 then 0 else 1) 1 3).
-  { split; [|lia|simpl; lra]. intros i. destruct (le_lt_dec i 2), (le_lt_dec (S i) 2); try lia; lra. }
-  repeat split; try apply K. intros P. apply (curve_at_left _ 1 3 K P 2); auto.
-  split; [lia| | |]; simpl; intros; lra.
+  unfold zeros. split; [|lia|simpl; lra]. intros i. destruct (le_lt_dec i 2), (le_lt_dec (S i) 2); try lia; lra.
+Qed.
+
+(* The curve begins at its second control point. *)
+Theorem begins_later : zeros 0 = zeros 1 /\ zeros 3 = zeros (3 + 1) /\ forall P, curve zeros 1 3 P (zeros 1) = P 1%nat.
+Proof.
+  repeat split. intros P. apply (curve_at_left _ 1 3 zeros_knots P 2); auto.
+  unfold zeros. split; [lia| | |]; simpl; intros; lra.
 Qed.

@@ -164,6 +164,43 @@ Record insertable (t : nat -> R) (p n : nat) (x : R) (k s : nat) : Prop := {
   insert_degree : (s <= p)%nat
 }.
 
+(* How many of the first m knots equal x: et_knots_multiplicity. *)
+Fixpoint multiplicity (t : nat -> R) (m : nat) (x : R) : nat :=
+  match m with O => O | S j => if Req_EM_T (t j) x then S (multiplicity t j x) else multiplicity t j x end.
+
+Lemma multiplicity_none : forall t m x, (forall i, (i < m)%nat -> t i <> x) -> multiplicity t m x = O.
+Proof.
+  induction m; intros x H; simpl; auto. destruct (Req_EM_T (t m) x) as [E|]; [elim (H m); auto|]. apply IHm. auto.
+Qed.
+
+(* The knots that equal x are the last of those that do not lie behind it. *)
+Lemma multiplicity_last : forall t, (forall i, t i <= t (S i)) -> forall k x, t k <= x ->
+  forall i, (i <= k)%nat -> (t i < x <-> (i + multiplicity t (S k) x <= k)%nat).
+Proof.
+  intros t M k x. assert (le := mono_le t M). induction k; intros H i Hi.
+  - replace i with O by lia. simpl. destruct (Req_EM_T (t O) x); split; intros; try lia; lra.
+  - change (multiplicity t (S (S k)) x) with (if Req_EM_T (t (S k)) x then S (multiplicity t (S k) x) else multiplicity t (S k) x).
+    assert (t k <= t (S k)) by apply M. destruct (Req_EM_T (t (S k)) x) as [E|].
+    + destruct (Nat.eq_dec i (S k)) as [->|]; [split; intros; [lra|lia]|].
+      specialize (IHk ltac:(lra) i ltac:(lia)). rewrite IHk. lia.
+    + rewrite multiplicity_none.
+      * split; intros; [lia|]. assert (t i <= t (S k)) by (apply le; lia). lra.
+      * intros j Hj. assert (t j <= t (S k)) by (apply le; lia). lra.
+Qed.
+
+(* So what the code looks up, and tests, is what is asked for. *)
+Theorem insertable_found : forall t p n x k, knots t p n -> t p <= x <= t n -> t k <= x < t (S k) ->
+  (multiplicity t (S k) x <= p)%nat -> insertable t p n x k (multiplicity t (S k) x).
+Proof.
+  intros t p n x k K D L H. assert (M := knots_mono t p n K). assert (le := mono_le t M).
+  assert (Q := multiplicity_last t M k x (proj1 L)). set (s := multiplicity t (S k) x) in *.
+  assert (p <= k)%nat. { destruct (le_lt_dec p k); auto. assert (t (S k) <= t p) by (apply le; lia). lra. }
+  split; auto.
+  - intros i Hi. apply Q; lia.
+  - intros i Hi. assert (t i <= t k) by (apply le; lia). specialize (Q i ltac:(lia)).
+    destruct (Rlt_dec (t i) x) as [h|]; [|lra]. apply Q in h. lia.
+Qed.
+
 (* The code's formula, for numbers: a coordinate, one of the homogeneous coordinates, or a weight. *)
 Definition insert1 (t : nat -> R) (p : nat) (x : R) (k s : nat) (f : nat -> R) (i : nat) : R :=
   if le_lt_dec (i + p) k then f i

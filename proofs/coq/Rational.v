@@ -129,6 +129,14 @@ Section Surface.
 Variables (t r : nat -> R) (p q m n : nat) (w : nat -> nat -> R).
 Hypothesis Ku : knots t p m.
 Hypothesis Kv : knots r q n.
+
+Theorem rsurface_inside : forall P u v, rsurface t r p q m n w P (inside t p m u) (inside r q n v) = rsurface t r p q m n w P u v.
+Proof.
+  intros. unfold rsurface. rewrite surface_inside by auto. f_equal.
+  apply sum_ext; intros j _. rewrite basis_inside by auto. f_equal.
+  apply sum_ext; intros i _. now rewrite basis_inside.
+Qed.
+
 Hypothesis W : positive2 m n w.
 
 Theorem weight2_pos : forall u v, 0 < surface1 t r p q m n w u v.

@@ -69,6 +69,82 @@ Theorem rational_seam_top : forall w w' P P' u, (forall i, (i < m)%nat -> w i (n
 Proof. intros. rewrite !rborder_top by auto. now apply rcurve_ext. Qed.
 End Along_u.
 
+(* ---- that the knots are clamped, with no end knot more than p+1 times, is needed ---- *)
+
+(* Two nets of 3 x 3 points that differ in the middle only, over knots whose first p+1 and last p+1 are equal: the corners are apart. *)
+Theorem gap_otherwise : exists P P' : nat -> nat -> vec3,
+  (forall i j, i = O \/ i = 2%nat \/ j = O \/ j = 2%nat -> P i j = P' i j) /\
+  surface zeros zeros 1 1 3 3 P (zeros 1) (zeros 1) <> surface zeros zeros 1 1 3 3 P' (zeros 1) (zeros 1).
+Proof.
+  set (net := fun a (i j : nat) => if Nat.eqb i 1 then if Nat.eqb j 1 then vec a 0 0 else vec 0 0 0 else vec 0 0 0).
+  exists (net 0), (net 1). split.
+  - intros i j H. unfold net. destruct (Nat.eqb_spec i 1), (Nat.eqb_spec j 1); auto; lia.
+  - destruct begins_later as (_ & _ & E). unfold surface. rewrite !E. unfold net. simpl. intros H. injection H. lra.
+Qed.
+
+(* ---- two surfaces of one shape: a shell ---- *)
+
+(* On the border of the domain or beyond, from where it is clamped to the border. *)
+Definition border_parameter (t r : nat -> R) (p q m n : nat) (u v : R) : Prop := u <= t p \/ t m <= u \/ v <= r q \/ r n <= v.
+
+Definition border_index (m n i j : nat) : Prop := i = O \/ i = (m - 1)%nat \/ j = O \/ j = (n - 1)%nat.
+
+(* What et_shell_closed compares, and clamped knots: *)
+Section Shell.
+Variables (t t' r r' : nat -> R) (p q m n : nat).
+Hypothesis Ku : knots t p m.
+Hypothesis Ku' : knots t' p m.
+Hypothesis Kv : knots r q n.
+Hypothesis Kv' : knots r' q n.
+Hypothesis Cu : clamped t p m.
+Hypothesis Cu' : clamped t' p m.
+Hypothesis Cv : clamped r q n.
+Hypothesis Cv' : clamped r' q n.
+Hypothesis same_u : forall i, (i <= m + p)%nat -> t i = t' i.
+Hypothesis same_v : forall j, (j <= n + q)%nat -> r j = r' j.
+
+Let Eu : t p = t' p /\ t m = t' m.
+Proof. assert (p < m)%nat by apply Ku. split; apply same_u; lia. Qed.
+
+Let Ev : r q = r' q /\ r n = r' n.
+Proof. assert (q < n)%nat by apply Kv. split; apply same_v; lia. Qed.
+
+(* a statement for all parameters of the border, from those for its four sides. *)
+Lemma on_four_sides : forall f f' : R -> R -> vec3,
+  (forall u v, f (inside t p m u) (inside r q n v) = f u v) -> (forall u v, f' (inside t' p m u) (inside r' q n v) = f' u v) ->
+  (forall v, f (t p) v = f' (t' p) v) -> (forall v, f (t m) v = f' (t' m) v) ->
+  (forall u, f u (r q) = f' u (r' q)) -> (forall u, f u (r n) = f' u (r' n)) ->
+  forall u v, border_parameter t r p q m n u v -> f u v = f' u v.
+Proof.
+  intros f f' I I' HL HR HB HT u v H. destruct Eu as [E1 E2], Ev as [E3 E4]. rewrite <- I, <- (I' u v).
+  assert (Fu : inside t' p m u = inside t p m u) by (unfold inside; now rewrite E1, E2).
+  assert (Fv : inside r' q n v = inside r q n v) by (unfold inside; now rewrite E3, E4).
+  rewrite Fu, Fv. destruct H as [H|[H|[H|H]]].
+  - rewrite (inside_left t p m Ku u H), HL. now rewrite E1.
+  - rewrite (inside_right t p m Ku u H), HR. now rewrite E2.
+  - rewrite (inside_left r q n Kv v H), HB. now rewrite E3.
+  - rewrite (inside_right r q n Kv v H), HT. now rewrite E4.
+Qed.
+
+Theorem shell_seam : forall P P', (forall i j, (i < m)%nat -> (j < n)%nat -> border_index m n i j -> P i j = P' i j) ->
+  forall u v, border_parameter t r p q m n u v -> surface t r p q m n P u v = surface t' r' p q m n P' u v.
+Proof.
+  intros P P' H. assert (p < m)%nat by apply Ku. assert (q < n)%nat by apply Kv. unfold border_index in H.
+  apply on_four_sides; [intros; now apply surface_inside|intros; now apply surface_inside|..]; intros;
+    [apply seam_left|apply seam_right|apply seam_bottom|apply seam_top]; auto; intros; apply H; auto; lia.
+Qed.
+
+Theorem rational_shell_seam : forall w w' P P',
+  (forall i j, (i < m)%nat -> (j < n)%nat -> border_index m n i j -> w i j = w' i j /\ P i j = P' i j) ->
+  forall u v, border_parameter t r p q m n u v -> rsurface t r p q m n w P u v = rsurface t' r' p q m n w' P' u v.
+Proof.
+  intros w w' P P' H. assert (p < m)%nat by apply Ku. assert (q < n)%nat by apply Kv. unfold border_index in H.
+  apply on_four_sides; [intros; now apply rsurface_inside|intros; now apply rsurface_inside|..]; intros;
+    [apply rational_seam_left|apply rational_seam_right|apply rational_seam_bottom|apply rational_seam_top]; auto; intros;
+    apply H; auto; lia.
+Qed.
+End Shell.
+
 (* ---- the double net ---- *)
 
 Inductive view : Set := bottom | top.
@@ -86,6 +162,11 @@ Definition class (nx ny : nat) (k : view) (i j : nat) : nat :=
 (* Both views have one class on the border, *)
 Theorem class_shared : forall nx ny i j, on_border nx ny i j = true -> class nx ny bottom i j = class nx ny top i j.
 Proof. intros nx ny i j H. unfold class. now rewrite H. Qed.
+
+Lemma border_class : forall nx ny i j, border_index nx ny i j -> class nx ny bottom i j = class nx ny top i j.
+Proof.
+  intros nx ny i j H. apply class_shared. unfold on_border, border_index in *. rewrite !Bool.orb_true_iff, !Nat.eqb_eq. tauto.
+Qed.
 
 (* and no class is shared besides. *)
 Theorem class_unique : forall nx ny k k' i j i' j', (i < nx)%nat -> (j < ny)%nat -> (i' < nx)%nat -> (j' < ny)%nat ->
@@ -123,28 +204,26 @@ Definition net_weights (k : view) (i j : nat) : R := weights (class nx ny k i j 
 Definition view_surface (k : view) (u v : R) : vec3 := surface t r p q nx ny (net_points k) u v.
 Definition view_rsurface (k : view) (u v : R) : vec3 := rsurface t r p q nx ny (net_weights k) (net_points k) u v.
 
-(* A parameter of the border of the domain. *)
-Definition border_parameter (u v : R) : Prop := u = t p \/ u = t nx \/ v = r q \/ v = r ny.
-
-Lemma net_shared : forall i j, i = O \/ i = (nx - 1)%nat \/ j = O \/ j = (ny - 1)%nat ->
-  net_points bottom i j = net_points top i j /\ net_weights bottom i j = net_weights top i j.
-Proof.
-  intros i j H. unfold net_points, net_weights. rewrite class_shared; auto. unfold on_border.
-  rewrite !Bool.orb_true_iff, !Nat.eqb_eq. lia.
-Qed.
-
 (* THE SEAM THEOREM: without a gap, whatever the control points, *)
-Theorem doublenet_seam : forall u v, border_parameter u v -> view_surface bottom u v = view_surface top u v.
-Proof.
-  intros u v [->|[->|[->| ->]]]; unfold view_surface;
-    [apply seam_left|apply seam_right|apply seam_bottom|apply seam_top]; auto; intros; apply net_shared; auto.
-Qed.
+Theorem doublenet_seam : forall u v, border_parameter t r p q nx ny u v -> view_surface bottom u v = view_surface top u v.
+Proof. clear weights. apply shell_seam; auto. intros. unfold net_points. now rewrite border_class. Qed.
 
 (* and whatever the weights. *)
-Theorem doublenet_rational_seam : forall u v, border_parameter u v -> view_rsurface bottom u v = view_rsurface top u v.
+Theorem doublenet_rational_seam : forall u v, border_parameter t r p q nx ny u v -> view_rsurface bottom u v = view_rsurface top u v.
+Proof. apply rational_shell_seam; auto. intros. unfold net_points, net_weights. now rewrite border_class. Qed.
+
+(* The corners of both are the points of the classes 1, ny, ny (nx - 1) + 1 and nx ny (et_doublenet_corners), here at indices one less. *)
+Theorem doublenet_corners : forall k,
+  view_surface k (t p) (r q) = points 0%nat /\ view_surface k (t p) (r ny) = points (ny - 1)%nat /\
+  view_surface k (t nx) (r q) = points (ny * (nx - 1))%nat /\ view_surface k (t nx) (r ny) = points (nx * ny - 1)%nat.
 Proof.
-  intros u v [->|[->|[->| ->]]]; unfold view_rsurface;
-    [apply rational_seam_left|apply rational_seam_right|apply rational_seam_bottom|apply rational_seam_top]; auto;
-    intros; apply net_shared; auto.
+  clear weights. intros k. assert (p < nx)%nat by apply Ku. assert (q < ny)%nat by apply Kv.
+  destruct (corners t r p q nx ny Ku Kv (net_points k) Cu Cv) as (A & B & C & D).
+  assert (E : forall i j, border_index nx ny i j -> net_points k i j = points (i * ny + j)%nat).
+  { intros i j Hij. transitivity (net_points bottom i j).
+    - unfold net_points. destruct k; auto. now rewrite border_class.
+    - unfold net_points, class. f_equal. lia. }
+  unfold view_surface. rewrite A, B, C, D, !E by (unfold border_index; auto).
+  repeat split; f_equal; nia.
 Qed.
 End Doublenet.

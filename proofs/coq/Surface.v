@@ -47,6 +47,13 @@ Hypothesis Kv : knots r q n.
 
 Let at_uv := surface t r p q m n.
 
+(* Beyond the domain the surface has the values of its border. *)
+Theorem surface_inside : forall P u v, surface t r p q m n P (inside t p m u) (inside r q n v) = surface t r p q m n P u v.
+Proof.
+  intros. apply comb_ext; intros j _. rewrite basis_inside by auto. split; auto.
+  apply comb_ext; intros i _. now rewrite basis_inside.
+Qed.
+
 (* ---- functions of two parameters ---- *)
 
 Theorem surface_unity : forall u v, sum (fun i => sum (fun j => basis t p m i u * basis r q n j v) n) m = 1.
