@@ -4,9 +4,9 @@
    Trusted here: that Coq's primitive floats are the processor's, which vm_compute uses, and the axioms of Coq.Floats.FloatAxioms, by which
    Flocq.IEEE754.PrimFloat says what they are (sub_equiv, ... below): Prim2SF_valid, SF2Prim_Prim2SF, Prim2SF_SF2Prim, eqb_spec, ltb_spec, add_spec,
    sub_spec, mul_spec, div_spec, and Leibniz.eqb_spec. *)
-Require Import List Arith Floats Reals.
-From Flocq Require Import IEEE754.PrimFloat IEEE754.BinarySingleNaN.
-From Etalon Require Import RoundingScheme TieRows.
+From Coq Require Import List Arith Reals Floats.
+From Flocq Require Import IEEE754.BinarySingleNaN IEEE754.PrimFloat.
+From Etalon Require Import RoundingScheme Rounding Binary64 TieRows.
 Import ListNotations.
 
 Definition machine : arithmetic :=
@@ -14,7 +14,6 @@ Definition machine : arithmetic :=
 
 (* ---- the rows ---- *)
 
-(* The last knot not beyond x, in the domain: the span of a row is right, too (et_knots_span). *)
 Definition machine_eval (p : nat) (u : list PrimFloat.float) (span : nat) (x : PrimFloat.float) : list PrimFloat.float :=
   basis_eval (A := machine) (fun i => nth i u PrimFloat.zero) (length u) p span x.
 
@@ -45,3 +44,51 @@ Proof.
   intros p u cases span x want H1 H2. apply same_bits_equal. pose proof all_rows_hold as H. rewrite forallb_forall in H.
   specialize (H _ H1). unfold holds in H. rewrite forallb_forall in H. exact (H _ H2).
 Qed.
+
+(* ---- the processor's arithmetic is Flocq's binary64 ---- *)
+
+Definition corresponds (a : machine) (b : binary64) : Prop := Prim2B a = b.
+
+Theorem machine_is_binary64 : forall u nu p s x,
+  Forall2 corresponds (basis_eval (A := machine) u nu p s x) (basis_eval (A := binary64) (fun i => Prim2B (u i)) nu p s (Prim2B x)).
+Proof.
+  intros. apply (basis_eval_related (A := machine) (B := binary64) corresponds); unfold corresponds; intros; subst; try easy.
+  - apply B2Prim_inj. rewrite B2Prim_Prim2B. exact one_equiv.
+  - apply add_equiv.
+  - apply sub_equiv.
+  - apply mul_equiv.
+  - apply div_equiv.
+  - apply ltb_equiv.
+  - apply eqb_equiv.
+Qed.
+
+(* So what the processor computes, which is what the C code computes, is within the bounds of docs/accuracy.md: a value within 6p - 1 roundings of
+   Cox and de Boor's, the sum within 4p - 1 of 1, where nothing over- or underflows (Binary64.row_safe). *)
+Section Bounds.
+Variables (u : nat -> PrimFloat.float) (nu p s : nat) (x : PrimFloat.float).
+Notation t := (fun i => B2R (Prim2B (u i))).
+Notation y := (clamp (A := binary64) (Prim2B x) (Prim2B (u p)) (Prim2B (u (nu - p - 1)%nat))).
+Notation result := (fun r => B2R (Prim2B (nth r (basis_eval (A := machine) u nu p s x) PrimFloat.zero))).
+Hypothesis knots_finite : forall i, BinarySingleNaN.is_finite (Prim2B (u i)) = true.
+Hypothesis x_finite : BinarySingleNaN.is_finite (Prim2B x) = true.
+Hypothesis sorted : forall i, (t i <= t (S i))%R.
+Hypothesis degree : (p <= s)%nat.
+Hypothesis span : (t s < t (S s))%R.
+Hypothesis inside : (t s <= B2R y <= t (S s))%R.
+Hypothesis safe : row_safe (fun i => Prim2B (u i)) p s y.
+
+Lemma clamped_finite : BinarySingleNaN.is_finite y = true.
+Proof. unfold clamp. destruct (less _ _); [apply knots_finite|]. destruct (less _ _); [apply knots_finite|exact x_finite]. Qed.
+Lemma result_is : forall r, result r = B2R (nth r (basis_at (A := binary64) (fun i => Prim2B (u i)) p s y) (B754_zero false)).
+Proof.
+  intros r. pose proof (machine_is_binary64 u nu p s x) as H. change (basis_eval (A := binary64) _ nu p s (Prim2B x))
+    with (basis_at (A := binary64) (fun i => Prim2B (u i)) p s y) in H.
+  revert r. induction H as [|a b la lb Hab Hl IH]; intros r.
+  - destruct r; cbn [nth]; reflexivity.
+  - destruct r; cbn [nth]; [exact (f_equal B2R Hab)|apply IH].
+Qed.
+Theorem processor_within : forall r, (r <= p)%nat -> within u64 (6 * p - 1) (result r) (cox t s (B2R y) p (s - p + r)).
+Proof. intros r Hr. cbv beta. rewrite result_is. apply basis64_within; auto using clamped_finite. Qed.
+Theorem processor_sum : within u64 (4 * p - 1) (total result (S p)) 1.
+Proof. rewrite (total_ext _ _ _ (fun r _ => result_is r)). apply basis64_sum; auto using clamped_finite. Qed.
+End Bounds.
