@@ -2,7 +2,7 @@
    and no others.  What this file prints when it is compiled is golden, so that neither a definition nor a statement can change unseen.
    To ask for the axioms of a single theorem takes as long as for those of many, so a file's are asked for together, and a few by themselves. *)
 Require Import Reals.
-Require Import Sums Space Basis Curve Insertion Surface Rational Seam.
+From Etalon Require Import Sums Space Basis Curve Insertion Surface Rational Seam.
 Open Scope R_scope.
 Set Printing Width 140.
 

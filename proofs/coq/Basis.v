@@ -7,7 +7,7 @@
        N_i,p(x) = (x - t_i)/(t_(i+p) - t_i) N_i,p-1(x) + (t_(i+p+1) - x)/(t_(i+p+1) - t_(i+1)) N_i+1,p-1(x),
    and, as there, x outside the domain is clamped to it; so the theorems hold for all real x. *)
 Require Import Reals Lra Lia Arith.
-Require Import Sums.
+From Etalon Require Import Sums.
 Open Scope R_scope.
 
 (* ---- knots ---- *)

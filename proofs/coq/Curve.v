@@ -3,7 +3,7 @@
    A curve has degree p, knots t and control points P_0 .. P_(n-1) in space; x outside the domain is clamped to it, so what is said holds for
    all real x. *)
 Require Import Reals Lra Lia Arith.
-Require Import Sums Space Basis.
+From Etalon Require Import Sums Space Basis.
 Open Scope R_scope.
 
 Definition curve (t : nat -> R) (p n : nat) (P : nat -> vec3) (x : R) : vec3 := comb n (fun i => basis t p n i x) P.

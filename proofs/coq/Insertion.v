@@ -8,7 +8,7 @@
        Q_i = P_(i-1)                      k-s < i;
    `times` insertions do it so often, with k and s one greater each time. *)
 Require Import Reals Lra Lia Arith.
-Require Import Sums Space Basis Curve.
+From Etalon Require Import Sums Space Basis Curve.
 Open Scope R_scope.
 
 (* ---- one knot more ---- *)

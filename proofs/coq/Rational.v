@@ -2,7 +2,7 @@
        C(x) = sum_i N_i,p(x) w_i P_i / sum_i N_i,p(x) w_i,   R_i(x) = N_i,p(x) w_i / sum_j N_j,p(x) w_j,
    and likewise with two indices.  As the code does: first the sums of w P and of w, last the division. *)
 Require Import Reals Lra Lia Arith.
-Require Import Sums Space Basis Curve Insertion Surface.
+From Etalon Require Import Sums Space Basis Curve Insertion Surface.
 Open Scope R_scope.
 
 (* ---- definitions ---- *)

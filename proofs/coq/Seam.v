@@ -5,7 +5,7 @@
    (Basis.v, clamped).  Nothing is asked of the two surfaces' interiors, and across the border not even that their knots or degrees be equal.
    Weights may be any numbers here; that they are positive is what makes the quotients points (Rational.v, weight2_pos). *)
 Require Import Reals Lra Lia Arith.
-Require Import Sums Space Basis Curve Insertion Surface Rational.
+From Etalon Require Import Sums Space Basis Curve Insertion Surface Rational.
 Open Scope R_scope.
 
 (* ---- two surfaces ---- *)

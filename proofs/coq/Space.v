@@ -1,6 +1,6 @@
 (* Space: points of space (et_vec3), their combinations, affine maps, and the convex hull of finitely many points. *)
 Require Import Reals Lra Lia Arith.
-Require Import Sums.
+From Etalon Require Import Sums.
 Open Scope R_scope.
 
 Record vec3 : Type := vec { X : R; Y : R; Z : R }.

@@ -3,7 +3,7 @@
    The code sums over u first, for each column j, then over v; so a surface is a curve whose control points are points of curves, and what is
    known of curves carries over. *)
 Require Import Reals Lra Lia Arith.
-Require Import Sums Space Basis Curve Insertion.
+From Etalon Require Import Sums Space Basis Curve Insertion.
 Open Scope R_scope.
 
 (* Degrees p, q; knots t, r; m x n control points P i j, i < m, j < n. *)
