@@ -190,3 +190,109 @@ Proof.
   apply basis_at_sum; auto using u64_range, rnd_error, rnd_idem.
 Qed.
 End Basis.
+
+(* ---- points, insertion and derivatives: the same way, from the numbers they are given ---- *)
+
+Definition all_finite (f : nat -> float64) : Prop := forall i, is_finite (f i) = true.
+Definition reals (f : nat -> float64) (i : nat) : R := B2R (f i).
+Definition givens (f : nat -> float64) (i : nat) : guarded := given (f i).
+
+Lemma givens_hold : forall f, all_finite f -> rel_all (A := binary64) (B := guarded) holds f (givens f).
+Proof. intros f Hf i. apply given_holds, Hf. Qed.
+Lemma givens_value : forall f, rel_all (A := guarded) (B := rounded rnd) value (givens f) (reals f).
+Proof. intros f i. reflexivity. Qed.
+Lemma holds_value : forall (b : binary64) (g : guarded) (y : R), holds b g -> value g y -> snd g -> is_finite b = true /\ B2R b = y.
+Proof. intros b g y Hb Hy Hg. destruct (Hb Hg) as [h1 h2]. split; auto. now rewrite h2. Qed.
+Ltac transfer b y Hs :=
+  match type of Hs with snd ?g =>
+    let V := fresh in let W := fresh in let F := fresh in
+    assert (V : holds b g); [|assert (W : value g y); [|destruct (holds_value b g y V W Hs) as [F ->]]] end.
+Lemma reals_format : forall f i, rnd (reals f i) = reals f i.
+Proof. intros. apply format_rnd, format. Qed.
+
+Lemma value_add : forall a a' b b', value a a' -> value b b' -> value (add a b) (add a' b').
+Proof. intros. now apply value_op. Qed.
+Lemma value_sub : forall a a' b b', value a a' -> value b b' -> value (sub a b) (sub a' b').
+Proof. intros. now apply value_op. Qed.
+Lemma value_mul : forall a a' b b', value a a' -> value b b' -> value (mul a b) (mul a' b').
+Proof. intros. now apply value_op. Qed.
+Lemma value_div : forall a a' b b', value a a' -> value b b' -> value (div a b) (div a' b').
+Proof. intros. now apply value_op. Qed.
+
+Section Points.
+Variables (p q : nat) (N M : nat -> float64) (Ne Me : nat -> R).
+Hypothesis degree_p : (1 <= p)%nat.
+Hypothesis degree_q : (1 <= q)%nat.
+Hypothesis N_finite : all_finite N.
+Hypothesis M_finite : all_finite M.
+Hypothesis row_N : row u64 p (reals N) Ne.
+Hypothesis row_M : row u64 q (reals M) Me.
+
+Theorem curve_point64_near : forall c, all_finite c -> snd (curve_point (A := guarded) (givens N) (givens c) p) ->
+  let b := curve_point (A := binary64) N c p in
+  is_finite b = true /\ near u64 (7 * p) (B2R b) (curve_point (A := exact) Ne (reals c) p) (contract (A := exact) Ne (fun r => Rabs (reals c r)) p).
+Proof.
+  clear degree_q row_M M_finite M Me q. intros c Hc Hs b. transfer b (curve_point (A := rounded rnd) (reals N) (reals c) p) Hs.
+  - apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold. intros i. apply holds_mul; [apply holds_one|now apply givens_hold].
+  - apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value. intros i. apply value_mul; [reflexivity|apply givens_value].
+  - split; auto. apply curve_point_near; auto using u64_range, rnd_error, reals_format.
+Qed.
+
+Theorem curve_point_rational64_near : forall w c, all_finite w -> all_finite c -> (forall i, (i <= p)%nat -> 0 < reals w i) ->
+  snd (curve_point_rational (A := guarded) (givens N) (givens w) (givens c) p) ->
+  let b := curve_point_rational (A := binary64) N w c p in
+  is_finite b = true /\ near u64 (14 * p + 2) (B2R b) (curve_point_rational (A := exact) Ne (reals w) (reals c) p)
+    (contract (A := exact) Ne (fun r => reals w r * Rabs (reals c r)) p / contract (A := exact) Ne (reals w) p).
+Proof.
+  clear degree_q row_M M_finite M Me q. intros w c Hw Hc Pw Hs b. transfer b (curve_point_rational (A := rounded rnd) (reals N) (reals w) (reals c) p) Hs.
+  - apply holds_div; apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold. intros i. apply holds_mul; now apply givens_hold.
+  - apply value_div; apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value. intros i. apply value_mul; apply givens_value.
+  - split; auto. apply curve_point_rational_near; auto using u64_range, rnd_error.
+Qed.
+
+Theorem surface_point64_near : forall c : nat -> nat -> float64, (forall i, all_finite (c i)) ->
+  snd (surface_point (A := guarded) (givens N) (givens M) (fun i => givens (c i)) p q) ->
+  let b := surface_point (A := binary64) N M c p q in
+  is_finite b = true /\ near u64 (7 * (p + q)) (B2R b) (surface_point (A := exact) Ne Me (fun i => reals (c i)) p q)
+    (contract_uv (A := exact) Ne Me (fun i j => Rabs (reals (c i) j)) p q).
+Proof.
+  intros c Hc Hs b. transfer b (surface_point (A := rounded rnd) (reals N) (reals M) (fun i => reals (c i)) p q) Hs.
+  - apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold. intros j. apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold.
+    intros i. apply holds_mul; [apply holds_one|now apply givens_hold].
+  - apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value. intros j. apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value.
+    intros i. apply value_mul; [reflexivity|apply givens_value].
+  - split; auto. apply surface_point_near; auto using u64_range, rnd_error. intros; apply reals_format.
+Qed.
+
+Theorem surface_point_rational64_near : forall w c : nat -> nat -> float64, (forall i, all_finite (w i)) -> (forall i, all_finite (c i)) ->
+  (forall i j, (i <= p)%nat -> (j <= q)%nat -> 0 < reals (w i) j) ->
+  snd (surface_point_rational (A := guarded) (givens N) (givens M) (fun i => givens (w i)) (fun i => givens (c i)) p q) ->
+  let b := surface_point_rational (A := binary64) N M w c p q in
+  is_finite b = true /\
+  near u64 (14 * (p + q) + 2) (B2R b) (surface_point_rational (A := exact) Ne Me (fun i => reals (w i)) (fun i => reals (c i)) p q)
+    (contract_uv (A := exact) Ne Me (fun i j => reals (w i) j * Rabs (reals (c i) j)) p q / contract_uv (A := exact) Ne Me (fun i => reals (w i)) p q).
+Proof.
+  intros w c Hw Hc Pw Hs b.
+  transfer b (surface_point_rational (A := rounded rnd) (reals N) (reals M) (fun i => reals (w i)) (fun i => reals (c i)) p q) Hs.
+  - apply holds_div; apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold; intros j;
+      apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold; intros i; [apply holds_mul|]; now apply givens_hold.
+  - apply value_div; apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value; intros j;
+      apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value; intros i; [apply value_mul|]; apply givens_value.
+  - split; auto. apply (surface_point_rational_near u64 u64_range rnd rnd_error p q (reals N) Ne (reals M) Me); auto.
+Qed.
+End Points.
+
+(* Knot insertion of a polynomial curve's coordinate. *)
+Theorem inserted64_near : forall t c x p k s times, all_finite t -> all_finite c -> is_finite x = true -> (s <= k)%nat -> spanned (B2R x) (reals t) k ->
+  forall i, snd (inserted (A := guarded) (givens t) p k s (given x) (givens c) times i) ->
+  let b := inserted (A := binary64) t p k s x c times i in
+  is_finite b = true /\
+  near u64 (5 * Nat.min times p) (B2R b) (inserted (A := exact) (reals t) p k s (B2R x) (reals c) times i)
+    (inserted (A := exact) (reals t) p k s (B2R x) (fun i => Rabs (reals c i)) times i).
+Proof.
+  intros t c x p k s times Ht Hc Hx Hk Hspan i Hs b.
+  transfer b (inserted (A := rounded rnd) (reals t) p k s (B2R x) (reals c) times i) Hs.
+  - apply (inserted_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_sub, holds_mul, holds_div, givens_hold, given_holds.
+  - apply (inserted_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_sub, value_mul, value_div, givens_value. reflexivity.
+  - split; auto. apply inserted_polynomial; auto using u64_range, rnd_error.
+Qed.

@@ -521,7 +521,7 @@ Hypothesis row_M : row q M Me.
 Theorem curve_point_near : forall P, (forall r, (r <= p)%nat -> rnd (P r) = P r) ->
   near (7 * p) (curve_point (A := arith) N P p) (curve_point (A := exact) Ne P p) (contract (A := exact) Ne (fun r => Rabs (P r)) p).
 Proof.
-  intros P HP. replace (7 * p)%nat with (0 + (6 * p - 1) + 1 + p)%nat by lia. apply contract_near; [apply row_N|].
+  clear degree_q row_M M Me q. intros P HP. replace (7 * p)%nat with (0 + (6 * p - 1) + 1 + p)%nat by lia. apply contract_near; [apply row_N|].
   intros r Hr. cbn. unfold plain. rewrite Rmult_1_l, HP by auto. apply near_refl.
 Qed.
 (* With weights 7p + 1 of the numerator, 7p of the denominator, one of the division. *)
@@ -529,7 +529,7 @@ Theorem curve_point_rational_near : forall w P, (forall r, (r <= p)%nat -> 0 < w
   near (14 * p + 2) (curve_point_rational (A := arith) N w P p) (curve_point_rational (A := exact) Ne w P p)
     (contract (A := exact) Ne (fun r => w r * Rabs (P r)) p / contract (A := exact) Ne w p).
 Proof.
-  intros w P Hw. replace (14 * p + 2)%nat with (1 + (6 * p - 1) + 1 + p + (0 + (6 * p - 1) + 1 + p) + 1)%nat by lia.
+  clear degree_q row_M M Me q. intros w P Hw. replace (14 * p + 2)%nat with (1 + (6 * p - 1) + 1 + p + (0 + (6 * p - 1) + 1 + p) + 1)%nat by lia.
   apply near_rnd, near_div.
   - now apply (contract_row_pos p N).
   - apply contract_within; [apply row_N|]. intros r Hr. apply within_refl. specialize (Hw r Hr); lra.

@@ -1,6 +1,6 @@
 # The exact sum of the four cubic basis functions that et_basis_eval computes (basis3.g): within 11 u of 1, u = 2^-53; after the first step within 3 u,
 # after the second 7 u.  Condition: as in basis3.g, the exact differences lie in [2^-160, 2^160].
-# The hints at the end are identities of the reals (distribution, cancellation of a denominator that is not 0): Gappa checks them by computation.
+# The hints at the end are identities of the reals (distribution, cancellation of a denominator that is not 0), which Gappa takes as given.
 @rnd = float<ieee_64,ne>;
 L1 = rnd(dL1); L2 = rnd(dL2); L3 = rnd(dL3);
 R1 = rnd(dR1); R2 = rnd(dR2); R3 = rnd(dR3);
