@@ -2,7 +2,7 @@
    and no others.  What this file prints when it is compiled is golden, so that neither a definition nor a statement can change unseen.
    To ask for the axioms of a single theorem takes as long as for those of many, so a file's are asked for together, and a few by themselves. *)
 Require Import Reals.
-From Etalon Require Import Sums Space Basis Curve Insertion Surface Rational Seam.
+From Etalon Require Import Sums Space Basis Curve Insertion Surface Rational Seam Code.
 Open Scope R_scope.
 Set Printing Width 140.
 
@@ -53,6 +53,8 @@ Print net_points.
 Print net_weights.
 Print view_surface.
 Print view_rsurface.
+Print loop_basis.
+Print node.
 
 (* ---- Basis.v ---- *)
 
@@ -160,3 +162,24 @@ Definition all_of_seam := (seam_left, seam_right, seam_bottom, seam_top, rationa
   rational_seam_top, gap_otherwise, shell_seam, rational_shell_seam, class_shared, class_unique, doublenet_seam, doublenet_rational_seam,
   doublenet_corners).
 Print Assumptions all_of_seam.
+
+(* ---- Code.v ---- *)
+
+Check code_basis.
+Check curve_coordinates.
+Check code_curve.
+Check rcurve_coordinates.
+Check code_curve_rational.
+Check surface_coordinates.
+Check code_surface.
+Check rsurface_coordinates.
+Check code_surface_rational.
+Check code_insert_knot.
+Check code_insert.
+Check code_insert_times.
+Check code_seam.
+Check code_seam_rational.
+Definition all_of_code := (code_basis, curve_coordinates, code_curve, rcurve_coordinates, code_curve_rational, surface_coordinates, code_surface,
+  rsurface_coordinates, code_surface_rational, code_insert_knot, code_insert, code_insert_times,
+  code_seam, code_seam_rational).
+Print Assumptions all_of_code.
