@@ -70,7 +70,6 @@ Check basis_le_1.
 Check basis_first.
 Check basis_last.
 Check basis_ext.
-Print Assumptions basis_unity.
 Definition all_of_basis := (span_correct, span_ensured, N_nonneg, N_support, basis_is_N, basis_nonneg, basis_support, basis_unity,
   basis_le_1, basis_first, basis_last, basis_ext).
 Print Assumptions all_of_basis.
@@ -84,7 +83,6 @@ Check curve_hull_local.
 Check curve_first.
 Check curve_last.
 Check begins_later.
-Print Assumptions curve_hull.
 Definition all_of_curve := (curve_local, curve_affine, curve_hull, curve_hull_local, curve_first, curve_last, begins_later).
 Print Assumptions all_of_curve.
 
@@ -94,7 +92,6 @@ Check insertable_found.
 Check curve_insert.
 Check curve_insert_times.
 Print Assumptions curve_insert.
-Print Assumptions curve_insert_times.
 Definition all_of_insertion := (insertable_found, curve_insert, curve_insert_times).
 Print Assumptions all_of_insertion.
 
@@ -110,7 +107,6 @@ Check border_top.
 Check corners.
 Check surface_insert_u.
 Check surface_insert_v.
-Print Assumptions corners.
 Definition all_of_surface := (surface_tensor, surface_affine, surface_hull, border_left, border_right, border_bottom, border_top, corners,
   surface_insert_u, surface_insert_v).
 Print Assumptions all_of_surface.
@@ -131,8 +127,6 @@ Check rbasis2_unity.
 Check rsurface_affine.
 Check rsurface_hull.
 Check rcorners.
-Print Assumptions rcurve_insert.
-Print Assumptions rcorners.
 Definition all_of_rational := (weight_pos, rbasis_nonneg, rbasis_unity, rcurve_affine, rcurve_hull, rcurve_first, rcurve_last,
   rcurve_insert, weight2_pos, rbasis2_nonneg, rbasis2_unity, rsurface_affine, rsurface_hull, rcorners).
 Print Assumptions all_of_rational.
