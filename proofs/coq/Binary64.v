@@ -191,6 +191,128 @@ Proof.
 Qed.
 End Basis.
 
+(* ---- when nothing goes wrong: a condition on the knots ---- *)
+
+(* 0, or between two powers of two. *)
+Definition band (a b : Z) (y : R) : Prop := y = 0 \/ bpow radix2 a <= y <= bpow radix2 b.
+
+Lemma bpow_format : forall e, generic_format radix2 (FLX_exp 53) (bpow radix2 e).
+Proof. intros e. apply generic_format_bpow. unfold FLX_exp. lia. Qed.
+Lemma rnd_between : forall a b y, bpow radix2 a <= y <= bpow radix2 b -> bpow radix2 a <= rnd y <= bpow radix2 b.
+Proof.
+  intros a b y [h1 h2]. split.
+  - apply round_ge_generic; [apply FLX_exp_valid; reflexivity|apply valid_rnd_N|apply bpow_format|auto].
+  - apply round_le_generic; [apply FLX_exp_valid; reflexivity|apply valid_rnd_N|apply bpow_format|auto].
+Qed.
+Lemma band_rnd : forall a b y, band a b y -> band a b (rnd y).
+Proof. intros a b y [->|H]; [left; now apply rnd_zero with u64; [apply rnd_error|..]|right; now apply rnd_between]. Qed.
+Lemma band_weaken : forall a b a' b' y, (a' <= a)%Z -> (b <= b')%Z -> band a b y -> band a' b' y.
+Proof.
+  intros a b a' b' y Ha Hb [->|[h1 h2]]; [now left|right]. split; [apply Rle_trans with (2 := h1)|apply Rle_trans with (1 := h2)]; now apply bpow_le.
+Qed.
+Lemma band_mul : forall a b c d y z, band a b y -> band c d z -> band (a + c) (b + d) (y * z).
+Proof.
+  intros a b c d y z [->|[h1 h2]] [->|[g1 g2]]; try (left; ring). right. rewrite !bpow_plus.
+  pose proof (bpow_gt_0 radix2 a). pose proof (bpow_gt_0 radix2 c). split; apply Rmult_le_compat; lra.
+Qed.
+Lemma band_div : forall a b c d y z, band a b y -> bpow radix2 c <= z <= bpow radix2 d -> band (a - d) (b - c) (y / z).
+Proof.
+  intros a b c d y z Hy [g1 g2]. pose proof (bpow_gt_0 radix2 c). unfold Rdiv, Z.sub. apply band_mul; auto. right. rewrite !bpow_opp.
+  split; apply Rinv_le_contravar; lra.
+Qed.
+Lemma band_add : forall a b y z, band a b y -> band a b z -> band a (b + 1) (y + z).
+Proof.
+  intros a b y z Hy Hz. assert (E : bpow radix2 (b + 1) = 2 * bpow radix2 b) by (rewrite bpow_plus; simpl; lra).
+  pose proof (bpow_gt_0 radix2 a). pose proof (bpow_gt_0 radix2 b).
+  destruct Hy as [->|[h1 h2]], Hz as [->|[g1 g2]]; [left; ring|right; rewrite E; lra|right; rewrite E; lra|right; rewrite E; lra].
+Qed.
+Lemma band_zero : forall a b y z, band a b y -> band a b z -> y + z = 0 -> y = 0 /\ z = 0.
+Proof. intros a b y z Hy Hz E. pose proof (bpow_gt_0 radix2 a). destruct Hy as [?|[? ?]], Hz as [?|[? ?]]; lra. Qed.
+Lemma band_safe : forall a b y, band a b y -> (-1022 <= a)%Z -> (b <= 1023)%Z -> no_overflow y /\ no_underflow y.
+Proof.
+  intros a b y H Ha Hb. pose proof (bpow_gt_0 radix2 a). split.
+  - unfold no_overflow. destruct (band_rnd _ _ _ H) as [->|[h1 h2]].
+    + rewrite Rabs_R0. apply bpow_gt_0.
+    + rewrite Rabs_pos_eq by lra. apply Rle_lt_trans with (1 := h2). apply bpow_lt. lia.
+  - destruct H as [->|[h1 h2]]; [now left|right]. rewrite Rabs_pos_eq by lra. apply Rle_trans with (2 := h1). now apply bpow_le.
+Qed.
+
+Section Enough.
+Variables (t : nat -> float64) (p s : nat) (x : float64) (e : Z).
+Notation T := (fun i => B2R (t i)).
+Notation X := (B2R x).
+Notation Lg := (to_left (A := guarded) (fun i => given (t i)) s (given x)).
+Notation Rg := (to_right (A := guarded) (fun i => given (t i)) s (given x)).
+Hypothesis sorted : forall i, T i <= T (S i).
+Hypothesis span : T s < T (S s).
+Hypothesis exponent : (0 <= e /\ (2 * e + 1) * Z.of_nat p <= 1022 /\ e <= 1022)%Z.
+(* The exact differences of x and the knots are 0 or from 2^-e to 2^e. *)
+Hypothesis lefts : forall j, (1 <= j <= p)%nat -> band (- e) e (X - T (s + 1 - j)%nat).
+Hypothesis rights : forall j, (1 <= j <= p)%nat -> band (- e) e (T (s + j)%nat - X).
+Notation w := (2 * e + 1)%Z.
+
+Lemma left_safe : forall j, (1 <= j <= p)%nat -> snd (Lg j) /\ band (- e) e (fst (Lg j)).
+Proof.
+  intros j Hj. destruct (band_safe _ _ _ (lefts j Hj) ltac:(lia) ltac:(lia)) as [h1 h2].
+  split; [exact (conj I (conj I h1))|exact (band_rnd _ _ _ (lefts j Hj))].
+Qed.
+Lemma right_safe : forall j, (1 <= j <= p)%nat -> snd (Rg j) /\ band (- e) e (fst (Rg j)).
+Proof.
+  intros j Hj. destruct (band_safe _ _ _ (rights j Hj) ltac:(lia) ltac:(lia)) as [h1 h2].
+  split; [exact (conj I (conj I h1))|exact (band_rnd _ _ _ (rights j Hj))].
+Qed.
+Lemma sum_between : forall j r, (j <= p)%nat -> (r < j)%nat ->
+  bpow radix2 (- e) <= fst (Rg (r + 1)%nat) + fst (Lg (j - r)%nat) <= bpow radix2 (e + 1).
+Proof.
+  intros j r Hj Hr. destruct (left_safe (j - r) ltac:(lia)) as [_ HL], (right_safe (r + 1) ltac:(lia)) as [_ HR].
+  destruct (band_add _ _ _ _ HR HL) as [z|z]; auto. exfalso. pose proof (bpow_gt_0 radix2 (- e)).
+  destruct (band_zero _ _ _ _ HR HL z) as [ZR ZL].
+  apply (rnd_eq_zero u64 u64_range rnd rnd_error (X - T (s + 1 - (j - r))%nat)) in ZL.
+  apply (rnd_eq_zero u64 u64_range rnd rnd_error (T (s + (r + 1))%nat - X)) in ZR.
+  assert (T (s + 1 - (j - r))%nat <= T s) by (apply (knots_le T sorted); lia).
+  assert (T (S s) <= T (s + (r + 1))%nat) by (apply (knots_le T sorted); lia). lra.
+Qed.
+
+Lemma entry_safe : forall j r, (j <= p)%nat -> (r <= j)%nat ->
+  snd (entry (A := guarded) Lg Rg j r) /\ band (- (w * Z.of_nat j)) (w * Z.of_nat j) (fst (entry (A := guarded) Lg Rg j r)).
+Proof.
+  induction j as [|j IH]; intros r Hj Hr.
+  - split; [exact I|]. right. replace (w * Z.of_nat 0)%Z with 0%Z by lia. simpl; lra.
+  - set (m := (w * Z.of_nat j)%Z) in *. assert (Em : (w * Z.of_nat (S j) = m + w)%Z) by (unfold m; lia). rewrite Em.
+    assert (Hm : (0 <= m)%Z) by (unfold m; nia). assert (Hmw : (m + w <= 1022)%Z) by (rewrite <- Em; nia).
+    set (f := entry (A := guarded) Lg Rg j) in *.
+    assert (HT : forall q, (q <= j)%nat -> snd (temp (A := guarded) Lg Rg f (S j) q) /\
+      band (- m - (e + 1)) (m + e) (fst (temp (A := guarded) Lg Rg f (S j) q))).
+    { intros q Hq. destruct (IH q ltac:(lia) Hq) as [S1 B1]. pose proof (sum_between (S j) q Hj ltac:(lia)) as Bs.
+      destruct (left_safe (S j - q) ltac:(lia)) as [SL _], (right_safe (q + 1) ltac:(lia)) as [SR _].
+      pose proof (band_safe _ _ _ (or_intror Bs) ltac:(lia) ltac:(lia)) as [O _].
+      pose proof (rnd_between _ _ _ Bs) as Bd. pose proof (band_div _ _ _ _ _ _ B1 Bd) as Bq. replace (m - - e)%Z with (m + e)%Z in Bq by lia.
+      pose proof (band_safe _ _ _ Bq ltac:(lia) ltac:(lia)) as [O1 O2]. pose proof (bpow_gt_0 radix2 (- e)).
+      split; [|exact (band_rnd _ _ _ Bq)].
+      refine (conj S1 (conj (conj SR (conj SL O)) (conj _ (conj O1 O2)))).
+      change (rnd (fst (Rg (q + 1)%nat) + fst (Lg (S j - q)%nat)) <> 0). lra. }
+    assert (HP : forall (g : guarded) q, (q <= j)%nat -> snd g -> band (- e) e (fst g) ->
+      snd (mul (a := guarded) g (temp (A := guarded) Lg Rg f (S j) q)) /\
+      band (- (m + w)) (m + 2 * e) (fst (mul (a := guarded) g (temp (A := guarded) Lg Rg f (S j) q)))).
+    { intros g q Hq Sg Bg. destruct (HT q Hq) as [ST BT]. pose proof (band_mul _ _ _ _ _ _ Bg BT) as Bp.
+      apply (band_weaken _ _ (- (m + w)) (m + 2 * e)) in Bp; [|lia|lia].
+      pose proof (band_safe _ _ _ Bp ltac:(lia) ltac:(lia)) as [O1 O2].
+      split; [exact (conj Sg (conj ST (conj O1 O2)))|exact (band_rnd _ _ _ Bp)]. }
+    assert (HS : snd (saved (A := guarded) Lg Rg f (S j) r) /\ band (- (m + w)) (m + 2 * e) (fst (saved (A := guarded) Lg Rg f (S j) r))).
+    { destruct r as [|q]; [split; [exact I|now left]|]. apply HP; try lia; apply left_safe; lia. }
+    cbn [entry]. fold f. unfold next. destruct (Nat.eqb_spec r (S j)) as [c|c].
+    + split; [apply HS|]. apply band_weaken with (3 := proj2 HS); lia.
+    + destruct (HP (Rg (r + 1)%nat) r ltac:(lia)) as [SP BP]; [apply right_safe; lia|apply right_safe; lia|].
+      pose proof (band_add _ _ _ _ (proj2 HS) BP) as Ba. replace (m + 2 * e + 1)%Z with (m + w)%Z in Ba by lia.
+      pose proof (band_safe _ _ _ Ba ltac:(lia) ltac:(lia)) as [O _].
+      split; [exact (conj (proj1 HS) (conj SP O))|exact (band_rnd _ _ _ Ba)].
+Qed.
+
+(* With (2e + 1) p <= 1022, so e = 169 for cubics and 56 for degree 9. *)
+Theorem guard_enough : row_safe t p s x.
+Proof. intros Hp. split; [split; [apply left_safe|apply right_safe]; lia|]. intros _ r Hr. now apply entry_safe. Qed.
+End Enough.
+
 (* ---- points, insertion and derivatives: the same way, from the numbers they are given ---- *)
 
 Definition all_finite (f : nat -> float64) : Prop := forall i, is_finite (f i) = true.

@@ -1,4 +1,5 @@
 (* Rounding errors of the loops of RoundingScheme.v, for any degree: what docs/accuracy.md and the comments in src/spline state.
+   (Those lines are quoted above the theorems; proofs/coq/quote.sh checks that they still stand there.)
    The model: |rnd y - y| <= u |y| and rnd idempotent, so nothing underflows or overflows; Binary64.v says when that is so.
    Two relations carry all proofs, with c = 1 - u:
      within k a b     a, b >= 0 and c^k b <= a <= b / c^k: k roundings apart;
@@ -310,7 +311,13 @@ Proof.
       refine (within_rnd (n + 5) (_ + _) (_ + _) _). apply within_add; [apply HS|apply HR]; lia.
 Qed.
 
-(* docs/accuracy.md: a basis function of degree p is within 6p - 1 roundings of itself. *)
+(* QUOTE docs/accuracy.md
+| basis function of degree p | `et_basis_eval` | 6p - 1 roundings | itself |
+END
+   QUOTE include/etalon/spline/basis.h
+ * Barring underflow each value is within the factors (1-u)^(6p-1) and (1-u)^-(6p-1) of the exact one (p >= 1; p = 0 is exact), and the
+ * exact sum of the p+1 values within (1-u)^(4p-1) and (1-u)^-(4p-1) of 1 (both machine-checked for A2.2).  Never negative.  Where x is a knot of
+END *)
 Theorem basis_within : forall p r, (1 <= p <= s)%nat -> (r <= p)%nat -> within (6 * p - 1) (N p r) (cox t s x p (s - p + r)).
 Proof.
   intros p r Hp Hr. rewrite <- scheme_is_cox by (auto; lia).
@@ -367,7 +374,9 @@ Proof.
     destruct ((k =? 0) || (k =? S (S i)))%nat; [apply within_refl|apply rnd_within]; apply GN; lia.
 Qed.
 
-(* docs/accuracy.md: their exact sum is within 4p - 1 roundings of 1. *)
+(* QUOTE docs/accuracy.md
+| sum of the basis functions | `et_basis_eval` | 4p - 1 roundings | 1 |
+END *)
 Theorem basis_sum : forall p, (1 <= p)%nat -> within (4 * p - 1) (total (N p) (S p)) 1.
 Proof.
   intros p Hp. destruct p as [|p]; [lia|]. clear Hp. induction p as [|p IH].
@@ -517,7 +526,10 @@ Hypothesis degree_q : (1 <= q)%nat.
 Hypothesis row_N : row p N Ne.
 Hypothesis row_M : row q M Me.
 
-(* docs/accuracy.md, curve.h: 7p roundings relative to sum N |c|. *)
+(* QUOTE include/etalon/spline/curve.h
+ * Error of a coordinate of a polynomial curve: at most ((1-u)^-m - 1) sum N |c|, m = 7p, barring underflow; a rational one: the same bound for
+ * numerator (m + 1) and denominator, and one rounding.
+END *)
 Theorem curve_point_near : forall P, (forall r, (r <= p)%nat -> rnd (P r) = P r) ->
   near (7 * p) (curve_point (A := arith) N P p) (curve_point (A := exact) Ne P p) (contract (A := exact) Ne (fun r => Rabs (P r)) p).
 Proof.
@@ -537,7 +549,13 @@ Proof.
     rewrite <- (Rabs_pos_eq (w r)) at 3 by lra. rewrite <- Rabs_mult. apply near_refl.
 Qed.
 
-(* docs/accuracy.md, surface.h: 7 (p + q) roundings relative to sum N M |x|. *)
+(* QUOTE docs/accuracy.md
+| surface point, polynomial | `et_surface_point` | 7 (p + q) roundings | sum N M abs(x) |
+END
+   QUOTE include/etalon/spline/surface.h
+ * Parameters outside the domain are clamped to it.  Error of a coordinate of a polynomial surface: at most ((1-u)^-m - 1) sum N M |x|,
+ * m = 7(p + q), barring underflow; a rational one: the same bound for numerator (m+1) and denominator, and one rounding.
+END *)
 Theorem surface_point_near : forall P, (forall i j, (i <= p)%nat -> (j <= q)%nat -> rnd (P i j) = P i j) ->
   near (7 * (p + q)) (surface_point (A := arith) N M P p q) (surface_point (A := exact) Ne Me P p q)
     (contract_uv (A := exact) Ne Me (fun i j => Rabs (P i j)) p q).
@@ -546,7 +564,9 @@ Proof.
   unfold surface_point, contract_uv. apply contract_near; [apply row_M|]. intros j Hj. apply contract_near; [apply row_N|].
   intros r Hr. cbn. unfold plain. rewrite Rmult_1_l, HP by auto. apply near_refl.
 Qed.
-(* docs/accuracy.md: 14 (p + q) + 2 roundings relative to sum N M w |x| / sum N M w. *)
+(* QUOTE docs/accuracy.md
+| surface point, rational | `et_surface_point` | 14 (p + q) + 2 roundings | sum N M w abs(x) / sum N M w |
+END *)
 Theorem surface_point_rational_near : forall w P, (forall i j, (i <= p)%nat -> (j <= q)%nat -> 0 < w i j) ->
   near (14 * (p + q) + 2) (surface_point_rational (A := arith) N M w P p q) (surface_point_rational (A := exact) Ne Me w P p q)
     (contract_uv (A := exact) Ne Me (fun i j => w i j * Rabs (P i j)) p q / contract_uv (A := exact) Ne Me w p q).
@@ -618,7 +638,12 @@ Proof.
   intros n t at_ m h he hm Hm H i. unfold insert_points. destruct (Nat.leb_spec i (at_ - m)); auto. destruct (Nat.ltb_spec at_ (i + p)); auto; lia.
 Qed.
 
-(* curve.h: m = 5 min(times, p) roundings beside those the points began with, relative to the same convex combination of magnitudes. *)
+(* QUOTE include/etalon/spline/curve.h
+ * weights remain positive.  A coordinate of a polynomial curve's control point, and a weight, is off by at most ((1-u)^-m - 1) sum A |c|, A the
+ * convex combination that makes it of the old ones, m = 5 min(times, p); a coordinate of a rational one: numerator m + 1, denominator m, and one
+ * rounding. All barring underflow. */
+END
+   (h: points that n roundings went into already.) *)
 Theorem inserted_near : forall n t h he hm times, spanned t k -> (s <= k)%nat -> (forall i, near n (h i) (he i) (hm i)) ->
   forall i, near (n + 5 * Nat.min times p) (inserted (A := arith) t p k s x h times i) (inserted (A := exact) t p k s x he times i)
     (inserted (A := exact) t p k s x hm times i).
@@ -768,7 +793,14 @@ Proof.
   apply within_mul; auto. apply within_refl, pos_INR.
 Qed.
 
-(* docs/accuracy.md, basis.h: 6p + 2 roundings relative to p!/(p-k)! sum_j |a_kj| N_(i+j,p-k), for every k <= p. *)
+(* QUOTE docs/accuracy.md
+| derivatives of basis functions | `et_basis_ders` | 6p + 2 roundings | sum of the terms' absolute values (Eq. 2.9) |
+END
+   QUOTE include/etalon/spline/basis.h
+ * A k-th derivative is p!/(p-k)! sum_j a_kj N_{i+j,p-k} (Eq. 2.9).  The a_kj and their recursion suffer no cancellation; hence the error is
+ * at most ((1-u)^-m - 1) p!/(p-k)! sum_j |a_kj| N_{i+j,p-k}, m = 6p + 2, barring over- and underflow: small relative to the largest
+ * derivatives, not to one that vanishes. */
+END *)
 Theorem derivative_near : forall p r k, (1 <= k <= p)%nat ->
   near (6 * p + 2) (derivative (A := arith) L Rt INR p r k) (derivative (A := exact) Le Re INR p r k)
     (factor (A := exact) INR p k * magnitude_sum p r k (k + 1)).
@@ -782,7 +814,10 @@ Proof.
   apply near_mul; auto. apply factor_within.
 Qed.
 
-(* curve.h: 7p + 3 roundings of a polynomial curve's derivative relative to the magnitudes of all its terms. *)
+(* QUOTE include/etalon/spline/curve.h
+ * Error of a coordinate of a polynomial curve's k-th derivative: at most ((1-u)^-(7p+3) - 1) M_k, M_k the sum of the magnitudes of all terms,
+ * p!/(p-k)! sum_ij |a_kj| N_{i+j,p-k} |c_i| (et_basis_ders).  A rational curve's derivatives satisfy Leibniz' rule for w C = A up to roundings:
+END *)
 Theorem curve_derivative_near : forall p k P, (1 <= k <= p)%nat ->
   near (7 * p + 3) (contract (A := arith) (fun r => derivative (A := arith) L Rt INR p r k) P p)
     (contract (A := exact) (fun r => derivative (A := exact) Le Re INR p r k) P p)

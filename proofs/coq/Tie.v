@@ -92,3 +92,18 @@ Proof. intros r Hr. cbv beta. rewrite result_is. apply basis64_within; auto usin
 Theorem processor_sum : within u64 (4 * p - 1) (total result (S p)) 1.
 Proof. rewrite (total_ext _ _ _ (fun r _ => result_is r)). apply basis64_sum; auto using clamped_finite. Qed.
 End Bounds.
+
+(* The same with the condition on the knots alone: the differences of the parameter and the 2p knots about it are 0 or from 2^-e to 2^e,
+   (2e + 1) p <= 1022: e = 169 for cubics. *)
+Theorem processor_within_knots : forall (u : nat -> PrimFloat.float) nu p s x e,
+  let t := fun i => B2R (Prim2B (u i)) in
+  let y := B2R (clamp (A := binary64) (Prim2B x) (Prim2B (u p)) (Prim2B (u (nu - p - 1)%nat))) in
+  (forall i, BinarySingleNaN.is_finite (Prim2B (u i)) = true) -> BinarySingleNaN.is_finite (Prim2B x) = true ->
+  (forall i, (t i <= t (S i))%R) -> (p <= s)%nat -> (t s < t (S s))%R -> (t s <= y <= t (S s))%R ->
+  (0 <= e /\ (2 * e + 1) * Z.of_nat p <= 1022 /\ e <= 1022)%Z ->
+  (forall j, (1 <= j <= p)%nat -> band (- e) e (y - t (s + 1 - j)%nat)) -> (forall j, (1 <= j <= p)%nat -> band (- e) e (t (s + j)%nat - y)) ->
+  forall r, (r <= p)%nat ->
+  within u64 (6 * p - 1) (B2R (Prim2B (nth r (basis_eval (A := machine) u nu p s x) PrimFloat.zero))) (cox t s y p (s - p + r)).
+Proof.
+  intros u nu p s x e t y Hu Hx Hs Hp Hspan Hin He HL HR r Hr. apply processor_within; auto. apply guard_enough with e; auto.
+Qed.
