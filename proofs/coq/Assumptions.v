@@ -127,8 +127,11 @@ Check rbasis2_unity.
 Check rsurface_affine.
 Check rsurface_hull.
 Check rcorners.
+Check rsurface_insert_u.
+Check rsurface_insert_v.
 Definition all_of_rational := (weight_pos, rbasis_nonneg, rbasis_unity, rcurve_affine, rcurve_hull, rcurve_first, rcurve_last,
-  rcurve_insert, weight2_pos, rbasis2_nonneg, rbasis2_unity, rsurface_affine, rsurface_hull, rcorners).
+  rcurve_insert, weight2_pos, rbasis2_nonneg, rbasis2_unity, rsurface_affine, rsurface_hull, rcorners,
+  rsurface_insert_u, rsurface_insert_v).
 Print Assumptions all_of_rational.
 
 (* ---- Seam.v ---- *)

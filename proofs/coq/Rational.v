@@ -244,6 +244,40 @@ Proof.
 Qed.
 End Surface.
 
+(* ---- inserting a knot in either direction, into the homogeneous coordinates of each of the curves along it ---- *)
+
+Theorem rsurface_insert_u : forall t r p q m n x k s w P u v, knots t p m -> positive2 m n w -> insertable t p m x k s ->
+  let w' := fun i j => insert1 t p x k s (fun a => w a j) i in
+  let P' := fun i j => over (insert_point t p x k s (fun a => lifted2 w P a j) i) (w' i j) in
+  positive2 (S m) n w' /\ rsurface (insert_knot t k x) r p q (S m) n w' P' u v = rsurface t r p q m n w P u v.
+Proof.
+  intros t r p q m n x k s w P u v K W I w' P'.
+  assert (W' : positive2 (S m) n w').
+  { intros i j Hi Hj. apply (insert1_pos t p m x k s K I (fun a => w a j)); auto. }
+  split; auto. unfold rsurface. f_equal.
+  - rewrite <- (surface_insert_u t r p q m n x k s (lifted2 w P) u v K I).
+    apply comb_ext; intros j Hj. split; auto. apply comb_ext; intros i Hi. split; auto. specialize (W' i j Hi Hj).
+    unfold P', lifted2 at 1. apply vec_ext; simpl; field; lra.
+  - apply sum_ext; intros j _. f_equal. apply (curve1_insert t p m x k s K I (fun a => w a j)).
+Qed.
+
+Theorem rsurface_transpose : forall t r p q m n w P u v,
+  rsurface t r p q m n w P u v = rsurface r t q p n m (fun j i => w i j) (fun j i => P i j) v u.
+Proof.
+  intros. unfold rsurface. f_equal; [apply (surface_transpose t r p q m n (lifted2 w P))|].
+  rewrite !surface1_tensor, sum_swap. apply sum_ext; intros; apply sum_ext; intros; ring.
+Qed.
+
+Theorem rsurface_insert_v : forall t r p q m n x k s w P u v, knots r q n -> positive2 m n w -> insertable r q n x k s ->
+  let w' := fun i => insert1 r q x k s (w i) in
+  let P' := fun i j => over (insert_point r q x k s (lifted2 w P i) j) (w' i j) in
+  positive2 m (S n) w' /\ rsurface t (insert_knot r k x) p q m (S n) w' P' u v = rsurface t r p q m n w P u v.
+Proof.
+  intros t r p q m n x k s w P u v K W I w' P'.
+  destruct (rsurface_insert_u r t q p n m x k s (fun j i => w i j) (fun j i => P i j) v u K (fun j i Hj Hi => W i j Hi Hj) I) as [W' E].
+  split; [intros i j Hi Hj; now apply W'|]. rewrite rsurface_transpose, (rsurface_transpose t r). exact E.
+Qed.
+
 (* ---- which data matter ---- *)
 
 Theorem rcurve_ext : forall t t' p n w w' P P' x, (p < n)%nat -> (forall j, (j <= n + p)%nat -> t j = t' j) ->
