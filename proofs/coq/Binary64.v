@@ -418,3 +418,26 @@ Proof.
   - apply (inserted_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_sub, value_mul, value_div, givens_value. reflexivity.
   - split; auto. apply inserted_polynomial; auto using u64_range, rnd_error.
 Qed.
+
+(* Derivatives; f is the conversion (double) of the numbers 1 .. p. *)
+Theorem derivative64_near : forall t x f p s r k, all_finite t -> is_finite x = true -> all_finite f ->
+  (forall m, (1 <= m <= p)%nat -> reals f m = INR m) -> (forall i, reals t i <= reals t (S i)) -> reals t s < reals t (S s) ->
+  reals t s <= B2R x <= reals t (S s) -> (1 <= k <= p)%nat ->
+  snd (derivative (A := guarded) (to_left (A := guarded) (givens t) s (given x)) (to_right (A := guarded) (givens t) s (given x)) (givens f) p r k) ->
+  let b := derivative (A := binary64) (to_left (A := binary64) t s x) (to_right (A := binary64) t s x) f p r k in
+  let Le := to_left (A := exact) (reals t) s (B2R x) in let Re := to_right (A := exact) (reals t) s (B2R x) in
+  is_finite b = true /\
+  near u64 (6 * p + 2) (B2R b) (derivative (A := exact) Le Re INR p r k)
+    (factor (A := exact) INR p k * magnitude_sum (reals t) s (B2R x) p r k (k + 1)).
+Proof.
+  intros t x f p s r k Ht Hx Hf HI Hs Hspan Hin Hk Hsafe b Le Re.
+  transfer b (derivative (A := rounded rnd) (to_left (A := rounded rnd) (reals t) s (B2R x)) (to_right (A := rounded rnd) (reals t) s (B2R x)) (reals f) p r k) Hsafe.
+  - apply derivative_related; auto using holds_zero, holds_one, holds_add, holds_sub, holds_mul, holds_div, givens_hold.
+    + apply to_left_related; auto using holds_sub, givens_hold, given_holds.
+    + apply to_right_related; auto using holds_sub, givens_hold, given_holds.
+  - apply (derivative_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_sub, value_mul, value_div, givens_value; try reflexivity;
+      intros i; reflexivity.
+  - split; auto. unfold derivative at 1. assert (F : forall l, (l <= p)%nat -> factor (A := rounded rnd) (reals f) p l = factor (A := rounded rnd) INR p l).
+    { induction l as [|l IH]; intros Hl; [reflexivity|]. cbn [factor]. rewrite IH, HI by lia. reflexivity. }
+    rewrite F by lia. apply derivative_near; auto using u64_range, rnd_error, rnd_idem.
+Qed.
