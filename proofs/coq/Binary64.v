@@ -41,7 +41,8 @@ Proof.
   - now rewrite !round_0 by apply valid_rnd_N.
   - apply round_FLT_FLX. exact H.
 Qed.
-Lemma rnd64_sum : forall x y, generic_format radix2 (FLT_exp (-1074) 53) x -> generic_format radix2 (FLT_exp (-1074) 53) y -> rnd64 (x + y) = rnd (x + y).
+Lemma rnd64_sum : forall x y, generic_format radix2 (FLT_exp (-1074) 53) x -> generic_format radix2 (FLT_exp (-1074) 53) y ->
+  rnd64 (x + y) = rnd (x + y).
 Proof.
   intros x y Hx Hy. destruct (Rle_or_lt least (Rabs (x + y))) as [h|h]; [apply rnd64_normal; auto|].
   assert (G : generic_format radix2 (FLT_exp (-1074) 53) (x + y)).
@@ -88,7 +89,8 @@ Lemma holds_sub : forall a a' b b', holds a a' -> holds b b' -> holds (sub a b) 
 Proof.
   intros a [x P] b [y Q] Ha Hb (HP & HQ & HS). cbn in *. destruct (Ha HP) as [Fa Ra], (Hb HQ) as [Fb Rb]. cbn in *. subst x y.
   pose proof (Bminus_correct prec emax _ _ mode_NE a b Fa Fb) as H. change (round radix2 _ _ (B2R a - B2R b)) with (rnd64 (B2R a - B2R b)) in H.
-  unfold Rminus in H. rewrite rnd64_sum in H by (try apply generic_format_opp; apply format). fold (B2R a - B2R b) in H. rewrite bounded in H by exact HS. tauto.
+  unfold Rminus in H. rewrite rnd64_sum in H by (try apply generic_format_opp; apply format). fold (B2R a - B2R b) in H. rewrite bounded in H by
+    exact HS. tauto.
 Qed.
 Lemma holds_mul : forall a a' b b', holds a a' -> holds b b' -> holds (mul a b) (mul a' b').
 Proof.
@@ -138,7 +140,8 @@ Proof.
   apply (entry_related (A := binary64) (B := guarded) holds);
     auto using holds_zero, holds_one, holds_add, holds_sub, holds_mul, holds_div, left_holds, right_holds.
 Qed.
-Lemma entry_value : forall j r, fst (entry (A := guarded) Lg Rg j r) = entry (A := rounded rnd) (to_left (A := rounded rnd) T s X) (to_right (A := rounded rnd) T s X) j r.
+Lemma entry_value : forall j r, fst (entry (A := guarded) Lg Rg j r) = entry (A := rounded rnd) (to_left (A := rounded rnd) T s X) (to_right (A :=
+  rounded rnd) T s X) j r.
 Proof.
   apply (entry_related (A := guarded) (B := rounded rnd) value); try reflexivity;
     try (intros; apply value_op; assumption); intros j; reflexivity.
@@ -355,8 +358,10 @@ Theorem curve_point64_near : forall c, all_finite c -> snd (curve_point (A := gu
   is_finite b = true /\ near u64 (7 * p) (B2R b) (curve_point (A := exact) Ne (reals c) p) (contract (A := exact) Ne (fun r => Rabs (reals c r)) p).
 Proof.
   clear degree_q row_M M_finite M Me q. intros c Hc Hs b. transfer b (curve_point (A := rounded rnd) (reals N) (reals c) p) Hs.
-  - apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold. intros i. apply holds_mul; [apply holds_one|now apply givens_hold].
-  - apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value. intros i. apply value_mul; [reflexivity|apply givens_value].
+  - apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold. intros i. apply holds_mul;
+    [apply holds_one|now apply givens_hold].
+  - apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value. intros i. apply value_mul;
+    [reflexivity|apply givens_value].
   - split; auto. apply curve_point_near; auto using u64_range, rnd_error, reals_format.
 Qed.
 
@@ -366,9 +371,12 @@ Theorem curve_point_rational64_near : forall w c, all_finite w -> all_finite c -
   is_finite b = true /\ near u64 (14 * p + 2) (B2R b) (curve_point_rational (A := exact) Ne (reals w) (reals c) p)
     (contract (A := exact) Ne (fun r => reals w r * Rabs (reals c r)) p / contract (A := exact) Ne (reals w) p).
 Proof.
-  clear degree_q row_M M_finite M Me q. intros w c Hw Hc Pw Hs b. transfer b (curve_point_rational (A := rounded rnd) (reals N) (reals w) (reals c) p) Hs.
-  - apply holds_div; apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold. intros i. apply holds_mul; now apply givens_hold.
-  - apply value_div; apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value. intros i. apply value_mul; apply givens_value.
+  clear degree_q row_M M_finite M Me q. intros w c Hw Hc Pw Hs b. transfer b (curve_point_rational (A :=
+    rounded rnd) (reals N) (reals w) (reals c) p) Hs.
+  - apply holds_div; apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold. intros i.
+    apply holds_mul; now apply givens_hold.
+  - apply value_div; apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value. intros i.
+    apply value_mul; apply givens_value.
   - split; auto. apply curve_point_rational_near; auto using u64_range, rnd_error.
 Qed.
 
@@ -379,9 +387,11 @@ Theorem surface_point64_near : forall c : nat -> nat -> float64, (forall i, all_
     (contract_uv (A := exact) Ne Me (fun i j => Rabs (reals (c i) j)) p q).
 Proof.
   intros c Hc Hs b. transfer b (surface_point (A := rounded rnd) (reals N) (reals M) (fun i => reals (c i)) p q) Hs.
-  - apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold. intros j. apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold.
+  - apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold. intros j.
+    apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold.
     intros i. apply holds_mul; [apply holds_one|now apply givens_hold].
-  - apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value. intros j. apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value.
+  - apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value. intros j.
+    apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value.
     intros i. apply value_mul; [reflexivity|apply givens_value].
   - split; auto. apply surface_point_near; auto using u64_range, rnd_error. intros; apply reals_format.
 Qed.
@@ -392,20 +402,24 @@ Theorem surface_point_rational64_near : forall w c : nat -> nat -> float64, (for
   let b := surface_point_rational (A := binary64) N M w c p q in
   is_finite b = true /\
   near u64 (14 * (p + q) + 2) (B2R b) (surface_point_rational (A := exact) Ne Me (fun i => reals (w i)) (fun i => reals (c i)) p q)
-    (contract_uv (A := exact) Ne Me (fun i j => reals (w i) j * Rabs (reals (c i) j)) p q / contract_uv (A := exact) Ne Me (fun i => reals (w i)) p q).
+    (contract_uv (A := exact) Ne Me (fun i j => reals (w i) j * Rabs (reals (c i) j)) p q / contract_uv (A :=
+      exact) Ne Me (fun i => reals (w i)) p q).
 Proof.
   intros w c Hw Hc Pw Hs b.
   transfer b (surface_point_rational (A := rounded rnd) (reals N) (reals M) (fun i => reals (w i)) (fun i => reals (c i)) p q) Hs.
   - apply holds_div; apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold; intros j;
-      apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold; intros i; [apply holds_mul|]; now apply givens_hold.
+      apply (contract_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_mul, givens_hold; intros i; [apply holds_mul|];
+        now apply givens_hold.
   - apply value_div; apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value; intros j;
-      apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value; intros i; [apply value_mul|]; apply givens_value.
+      apply (contract_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_mul, givens_value; intros i;
+        [apply value_mul|]; apply givens_value.
   - split; auto. apply (surface_point_rational_near u64 u64_range rnd rnd_error p q (reals N) Ne (reals M) Me); auto.
 Qed.
 End Points.
 
 (* Knot insertion of a polynomial curve's coordinate. *)
-Theorem inserted64_near : forall t c x p k s times, all_finite t -> all_finite c -> is_finite x = true -> (s <= k)%nat -> spanned (B2R x) (reals t) k ->
+Theorem inserted64_near : forall t c x p k s times, all_finite t -> all_finite c -> is_finite x = true -> (s <= k)%nat ->
+  spanned (B2R x) (reals t) k ->
   forall i, snd (inserted (A := guarded) (givens t) p k s (given x) (givens c) times i) ->
   let b := inserted (A := binary64) t p k s x c times i in
   is_finite b = true /\
@@ -415,7 +429,8 @@ Proof.
   intros t c x p k s times Ht Hc Hx Hk Hspan i Hs b.
   transfer b (inserted (A := rounded rnd) (reals t) p k s (B2R x) (reals c) times i) Hs.
   - apply (inserted_related (A := binary64) (B := guarded) holds); auto using holds_add, holds_sub, holds_mul, holds_div, givens_hold, given_holds.
-  - apply (inserted_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_sub, value_mul, value_div, givens_value. reflexivity.
+  - apply (inserted_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_sub, value_mul, value_div, givens_value.
+    reflexivity.
   - split; auto. apply inserted_polynomial; auto using u64_range, rnd_error.
 Qed.
 
@@ -431,13 +446,16 @@ Theorem derivative64_near : forall t x f p s r k, all_finite t -> is_finite x = 
     (factor (A := exact) INR p k * magnitude_sum (reals t) s (B2R x) p r k (k + 1)).
 Proof.
   intros t x f p s r k Ht Hx Hf HI Hs Hspan Hin Hk Hsafe b Le Re.
-  transfer b (derivative (A := rounded rnd) (to_left (A := rounded rnd) (reals t) s (B2R x)) (to_right (A := rounded rnd) (reals t) s (B2R x)) (reals f) p r k) Hsafe.
+  transfer b (derivative (A := rounded rnd) (to_left (A := rounded rnd) (reals t) s (B2R x)) (to_right (A :=
+    rounded rnd) (reals t) s (B2R x)) (reals f) p r k) Hsafe.
   - apply derivative_related; auto using holds_zero, holds_one, holds_add, holds_sub, holds_mul, holds_div, givens_hold.
     + apply to_left_related; auto using holds_sub, givens_hold, given_holds.
     + apply to_right_related; auto using holds_sub, givens_hold, given_holds.
-  - apply (derivative_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_sub, value_mul, value_div, givens_value; try reflexivity;
+  - apply (derivative_related (A := guarded) (B := rounded rnd) value); auto using value_add, value_sub, value_mul, value_div, givens_value;
+    try reflexivity;
       intros i; reflexivity.
-  - split; auto. unfold derivative at 1. assert (F : forall l, (l <= p)%nat -> factor (A := rounded rnd) (reals f) p l = factor (A := rounded rnd) INR p l).
+  - split; auto. unfold derivative at 1. assert (F : forall l, (l <= p)%nat -> factor (A := rounded rnd) (reals f) p l = factor (A :=
+    rounded rnd) INR p l).
     { induction l as [|l IH]; intros Hl; [reflexivity|]. cbn [factor]. rewrite IH, HI by lia. reflexivity. }
     rewrite F by lia. apply derivative_near; auto using u64_range, rnd_error, rnd_idem.
 Qed.

@@ -226,7 +226,6 @@ Qed.
 Variable rnd : R -> R.
 Hypothesis rnd_error : forall y, Rabs (rnd y - y) <= u * Rabs y.
 Hypothesis rnd_idem : forall y, rnd (rnd y) = rnd y.
-Hypothesis rnd_one : rnd 1 = 1.
 Notation arith := (rounded rnd).
 
 Lemma no_magnitude : forall y, Rabs y <= 0 -> y = 0.
@@ -304,7 +303,8 @@ Proof.
   unfold next. destruct (Nat.eqb_spec r (S j)) as [e|e].
   - subst r. apply within_weaken with (n + 5)%nat; [unfold n, steps; destruct j; lia|apply HS; lia].
   - destruct r as [|q].
-    + change (within (steps (S j)) (rnd (0 + rnd (Rt 1%nat * temp (A := arith) L Rt (N j) (S j) 0))) (0 + Re 1%nat * temp (A := exact) Le Re (Ne j) (S j) 0)).
+    + change (within (steps (S j)) (rnd (0 + rnd (Rt 1%nat * temp (A := arith) L Rt (N j) (S j) 0))) (0 + Re 1%nat * temp (A :=
+      exact) Le Re (Ne j) (S j) 0)).
       rewrite !Rplus_0_l, rnd_idem.
       apply within_weaken with (n + 5)%nat; [unfold n, steps; destruct j; lia|apply (HR O); lia].
     + destruct j as [|i]; [lia|]. apply within_weaken with (n + 5 + 1)%nat; [unfold n, steps; lia|].
@@ -386,7 +386,8 @@ Qed.
 
 (* ---- the special case of et_basis_eval: x meets a knot of multiplicity p ---- *)
 
-Lemma entry_left : forall p, (forall j, (1 <= j <= p)%nat -> Le j = 0) -> forall j r, (j <= p)%nat -> (r <= j)%nat -> Ne j r = if (r =? 0)%nat then 1 else 0.
+Lemma entry_left : forall p, (forall j, (1 <= j <= p)%nat -> Le j = 0) -> forall j r, (j <= p)%nat -> (r <= j)%nat ->
+  Ne j r = if (r =? 0)%nat then 1 else 0.
 Proof.
   intros p H. induction j as [|j IH]; intros r Hj Hr; [now replace r with O by lia|].
   assert (Z : saved (A := exact) Le Re (Ne j) (S j) r = 0).
@@ -395,7 +396,8 @@ Proof.
   change (0 + Re (r + 1)%nat * (Ne j r / (Re (r + 1)%nat + Le (S j - r)%nat)) = if (r =? 0)%nat then 1 else 0).
   rewrite <- IH by lia. pose proof (width_exact_pos (S j) r ltac:(lia)) as W. rewrite H in * by lia. field. lra.
 Qed.
-Lemma entry_right : forall p, (forall j, (1 <= j <= p)%nat -> Re j = 0) -> forall j r, (j <= p)%nat -> (r <= j)%nat -> Ne j r = if (r =? j)%nat then 1 else 0.
+Lemma entry_right : forall p, (forall j, (1 <= j <= p)%nat -> Re j = 0) -> forall j r, (j <= p)%nat -> (r <= j)%nat ->
+  Ne j r = if (r =? j)%nat then 1 else 0.
 Proof.
   intros p H. induction j as [|j IH]; intros r Hj Hr; [now replace r with O by lia|].
   assert (Z : saved (A := exact) Le Re (Ne j) (S j) r = if (r =? S j)%nat then 1 else 0).
@@ -420,7 +422,8 @@ Proof.
       assert (t (S s) <= t (s + j)%nat) by (apply knots_le; auto; lia). lra.
 Qed.
 
-Lemma unit_row_nth : forall {A : arithmetic} p only r (d : A), (r <= p)%nat -> nth r (unit_row (A := A) p only) d = if (r =? only)%nat then one else zero.
+Lemma unit_row_nth : forall {A : arithmetic} p only r (d : A), (r <= p)%nat -> nth r (unit_row (A :=
+  A) p only) d = if (r =? only)%nat then one else zero.
 Proof.
   intros A p only r d Hr. unfold unit_row. rewrite nth_indep with (d' := (fun r => if (r =? only)%nat then one else zero) O)
     by (rewrite map_length, seq_length; lia).
@@ -443,9 +446,11 @@ Proof.
   - set (only := only_of (A := arith) t p s x) in *. rewrite (total_ext _ _ (fun r => if (r =? only)%nat then 1 else 0))
       by (intros; rewrite unit_row_nth by lia; reflexivity).
     assert (E : forall n, total (fun r => if (r =? only)%nat then 1 else 0) n = if (only <? n)%nat then 1 else 0).
-    { induction n as [|n IH]; [reflexivity|]. cbn [total]. rewrite IH. destruct (Nat.ltb_spec only n), (Nat.eqb_spec n only), (Nat.ltb_spec only (S n)); try lia; lra. }
+    { induction n as [|n IH]; [reflexivity|]. cbn [total]. rewrite IH. destruct (Nat.ltb_spec only n), (Nat.eqb_spec n only),
+      (Nat.ltb_spec only (S n)); try lia; lra. }
     rewrite E. destruct (Nat.ltb_spec only (S p)); [|lia]. apply within_refl; lra.
-  - rewrite (total_ext _ _ (N p)) by (intros k Hk; exact (outer_is_entry (A := arith) L Rt 0 p k ltac:(lia))). apply basis_sum. destruct p; [cbn in h; lia|lia].
+  - rewrite (total_ext _ _ (N p)) by (intros k Hk; exact (outer_is_entry (A := arith) L Rt 0 p k ltac:(lia))). apply basis_sum. destruct p;
+    [cbn in h; lia|lia].
 Qed.
 
 End BasisError.
@@ -459,7 +464,8 @@ Proof.
   intros N Ne P Pe Pm k l p HN HP.
   assert (term : forall r, (r <= p)%nat -> near (k + l + 1) (rnd (N r * P r)) (Ne r * Pe r) (Ne r * Pm r)).
   { intros r Hr. apply near_rnd, near_mul; auto. }
-  assert (E : forall q, (q <= p)%nat -> near (k + l + 1 + q) (contract (A := arith) N P q) (contract (A := exact) Ne Pe q) (contract (A := exact) Ne Pm q)); [|auto].
+  assert (E : forall q, (q <= p)%nat -> near (k + l + 1 + q) (contract (A := arith) N P q) (contract (A := exact) Ne Pe q) (contract (A :=
+    exact) Ne Pm q)); [|auto].
   induction q as [|q IH]; intros Hq.
   - rewrite Nat.add_0_r. apply term; auto.
   - replace (k + l + 1 + S q)%nat with (k + l + 1 + q + 1)%nat by lia.
@@ -475,7 +481,8 @@ Proof.
   { intros r Hr. apply near_rnd. destruct (HN r Hr) as [h1 h2]. pose proof (Rabs_pos (P r)). split.
     - rewrite <- Rmult_minus_distr_r, Rabs_mult. nra.
     - rewrite Rabs_mult. nra. }
-  assert (E : forall q, (q <= p)%nat -> near (k + 1 + q) (contract (A := arith) N P q) (contract (A := exact) Ne P q) (contract (A := exact) Nm (fun r => Rabs (P r)) q)); [|auto].
+  assert (E : forall q, (q <= p)%nat -> near (k + 1 + q) (contract (A := arith) N P q) (contract (A := exact) Ne P q) (contract (A :=
+    exact) Nm (fun r => Rabs (P r)) q)); [|auto].
   induction q as [|q IH]; intros Hq.
   - rewrite Nat.add_0_r. apply term; auto.
   - replace (k + 1 + S q)%nat with (k + 1 + q + 1)%nat by lia.
@@ -500,7 +507,8 @@ Lemma contract_pos : forall N w p, (forall r, (r <= p)%nat -> 0 <= N r) -> (fora
   0 < total N (S p) -> 0 < contract (A := exact) N w p.
 Proof.
   intros N w p HN Hw.
-  assert (E : forall q, (q <= p)%nat -> 0 <= contract (A := exact) N w q /\ (0 < total N (S q) -> 0 < contract (A := exact) N w q)); [|intros; now apply E].
+  assert (E : forall q, (q <= p)%nat -> 0 <= contract (A := exact) N w q /\ (0 < total N (S q) -> 0 < contract (A := exact) N w q)); [|intros;
+    now apply E].
   induction q as [|q IH]; intros Hq.
   - specialize (HN O Hq). specialize (Hw O Hq). cbn. unfold plain. split; [nra|intros; nra].
   - specialize (HN (S q) Hq). specialize (Hw (S q) Hq). destruct (IH ltac:(lia)) as [IH1 IH2].
@@ -621,7 +629,8 @@ Qed.
 
 (* One knot costs five roundings relative to the convex combination of the magnitudes. *)
 Lemma insert_near : forall n t at_ m h he hm, spanned t at_ -> (forall i, near n (h i) (he i) (hm i)) ->
-  forall i, near (n + 5) (insert_points (A := arith) t p at_ m x h i) (insert_points (A := exact) t p at_ m x he i) (insert_points (A := exact) t p at_ m x hm i).
+  forall i, near (n + 5) (insert_points (A := arith) t p at_ m x h i) (insert_points (A := exact) t p at_ m x he i) (insert_points (A :=
+    exact) t p at_ m x hm i).
 Proof.
   intros n t at_ m h he hm Hs H i. unfold insert_points. destruct (Nat.leb_spec i (at_ - m)).
   - destruct (Nat.ltb_spec at_ (i + p)).
@@ -633,7 +642,8 @@ Qed.
 
 (* Beyond multiplicity p nothing is computed. *)
 Lemma insert_copies : forall n t at_ m h he hm, (p <= m <= at_)%nat -> (forall i, near n (h i) (he i) (hm i)) ->
-  forall i, near n (insert_points (A := arith) t p at_ m x h i) (insert_points (A := exact) t p at_ m x he i) (insert_points (A := exact) t p at_ m x hm i).
+  forall i, near n (insert_points (A := arith) t p at_ m x h i) (insert_points (A := exact) t p at_ m x he i) (insert_points (A :=
+    exact) t p at_ m x hm i).
 Proof.
   intros n t at_ m h he hm Hm H i. unfold insert_points. destruct (Nat.leb_spec i (at_ - m)); auto. destruct (Nat.ltb_spec at_ (i + p)); auto; lia.
 Qed.
@@ -742,13 +752,15 @@ Proof.
     assert (E : forall a b wd, a = (-1) ^ j * b -> a / wd = (-1) ^ j * (b / wd)) by (intros a b wd ->; unfold Rdiv; ring).
     apply (E _ _ (Re (r + j - S l + 1)%nat + Le (p - S l + 1 - (r + j - S l))%nat)). clear E.
     destruct (Nat.ltb_spec j (S l)) as [e|e]; destruct j as [|i].
-    + rewrite IH by lia. change ((-1) ^ 0 * coefficient (A := magnitudes) Le Re p r l 0 - 0 = (-1) ^ 0 * (coefficient (A := magnitudes) Le Re p r l 0 + 0)). ring.
+    + rewrite IH by lia. change ((-1) ^ 0 * coefficient (A := magnitudes) Le Re p r l 0 - 0 = (-1) ^ 0 * (coefficient (A :=
+      magnitudes) Le Re p r l 0 + 0)). ring.
     + rewrite !IH by lia.
       change ((-1) ^ S i * coefficient (A := magnitudes) Le Re p r l (S i) - (-1) ^ i * coefficient (A := magnitudes) Le Re p r l i =
               (-1) ^ S i * (coefficient (A := magnitudes) Le Re p r l (S i) + coefficient (A := magnitudes) Le Re p r l i)).
       cbn [pow]. ring.
     + lia.
-    + rewrite IH by lia. change (0 - (-1) ^ i * coefficient (A := magnitudes) Le Re p r l i = (-1) ^ S i * (0 + coefficient (A := magnitudes) Le Re p r l i)).
+    + rewrite IH by lia. change (0 - (-1) ^ i * coefficient (A := magnitudes) Le Re p r l i = (-1) ^ S i * (0 + coefficient (A :=
+      magnitudes) Le Re p r l i)).
       cbn [pow]. ring.
 Qed.
 Corollary coefficient_magnitude : forall p r k j, (k <= p)%nat -> (j <= k)%nat ->
@@ -765,7 +777,8 @@ Definition magnitude_sum (p r k n : nat) : R :=
   total (fun j => if outside p r k j then 0 else Rabs (coefficient (A := exact) Le Re p r k j) * Ne (p - k)%nat (r + j - k)%nat) n.
 
 Lemma derivative_sum_near : forall p r k n, (k <= p)%nat -> (n <= k + 1)%nat ->
-  near (4 * k + steps (p - k) + 1 + (n - 1)) (derivative_sum (A := arith) L Rt p r k n) (derivative_sum (A := exact) Le Re p r k n) (magnitude_sum p r k n).
+  near (4 * k + steps (p - k) + 1 + (n - 1)) (derivative_sum (A := arith) L Rt p r k n) (derivative_sum (A :=
+    exact) Le Re p r k n) (magnitude_sum p r k n).
 Proof.
   intros p r k n Hk. induction n as [|j IH]; intros Hn.
   - split; cbn; [rewrite Rminus_eq_0, Rabs_R0; lra|rewrite Rabs_R0; lra].

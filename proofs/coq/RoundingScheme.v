@@ -299,7 +299,8 @@ Proof.
 Qed.
 Lemma outer_related : forall l l' r r', rel_all l l' -> rel_all r r' -> forall j, Forall2 rel (outer l r j) (outer l' r' j).
 Proof.
-  intros l l' r r' Hl Hr. assert (E : forall j N N', Forall2 rel N N' -> forall i s s', rel s s' -> Forall2 rel (inner l r j i s N) (inner l' r' j i s' N')).
+  intros l l' r r' Hl Hr. assert (E : forall j N N', Forall2 rel N N' -> forall i s s', rel s s' ->
+    Forall2 rel (inner l r j i s N) (inner l' r' j i s' N')).
   { intros j N N' H. induction H; intros i s s' Hs; cbn [inner]; [auto|]. constructor; [|apply IHForall2]; auto 6. }
   induction j; cbn [outer]; auto.
 Qed.
@@ -317,7 +318,8 @@ Proof.
   pose proof (inserted_knots_related u u' k x x' n Hu Hx) as Hk.
   destruct (i <=? k + n - (s + n)); auto. destruct (k + n <? i + p); auto. unfold share_a, share_b. auto 12.
 Qed.
-Lemma derivative_related : forall l l' r r' f f' p i k, rel_all l l' -> rel_all r r' -> rel_all f f' -> rel (derivative l r f p i k) (derivative l' r' f' p i k).
+Lemma derivative_related : forall l l' r r' f f' p i k, rel_all l l' -> rel_all r r' -> rel_all f f' ->
+  rel (derivative l r f p i k) (derivative l' r' f' p i k).
 Proof.
   intros l l' r r' f f' p i k Hl Hr Hf. pose proof (entry_related l l' r r' Hl Hr) as HN.
   assert (HC : forall k j, rel (coefficient l r p i k j) (coefficient l' r' p i k j)).
