@@ -39,6 +39,12 @@ enum { ET_BOTTOM = 0, ET_TOP = 1 };
         i == 0 || i == nx - 1 || j == 0 || j == ny - 1 ? 1 : 2*view;
 
     logic integer et_absdiff(integer a, integer b) = a < b ? b - a : a - b;
+
+    logic integer et_seam_i(integer nx, integer ny, integer s) =
+        s < ny ? 0 : s <= ny + nx - 2 ? s - ny + 1 : s <= 2*ny + nx - 3 ? nx - 1 : 2*nx + 2*ny - 4 - s;
+    logic integer et_seam_j(integer nx, integer ny, integer s) =
+        s < ny ? s : s <= ny + nx - 2 ? ny - 1 : s <= 2*ny + nx - 3 ? 2*ny + nx - 3 - s : 0;
+    logic integer et_seam_class(integer nx, integer ny, integer s) = et_seam_i(nx, ny, s)*ny + et_seam_j(nx, ny, s) + 1;
 */
 /*@ lemma et_net_count: \forall integer nx, ny; NON(nx, ny) == NOV(nx, ny) + NOR(nx, ny);
     lemma et_net_top:   \forall integer nx, ny; nx*ny + (nx - 2)*(ny - 2) == NOV(nx, ny);
@@ -111,6 +117,7 @@ void et_doublenet_corners(size_t c[4], et_doublenet net);
     requires size:   nor == NOR(net.nx, net.ny);
     requires valid:  \valid(c + (0 .. nor - 1));
     assigns c[0 .. nor - 1];
+    ensures value:   \forall integer s; 0 <= s < nor ==> c[s] == et_seam_class(net.nx, net.ny, s);
     ensures range:   \forall integer s; 0 <= s < nor ==> 1 <= c[s] <= net.nx*net.ny;
     ensures once:    \forall integer s, t; 0 <= s < t < nor ==> c[s] != c[t];
     ensures first:   c[0] == 1 && c[net.ny - 1] == net.ny;
