@@ -12,14 +12,6 @@
      assigns  \nothing;
      ensures  quotient: q < c; @/
   static void fact_quotient(size_t q, size_t r, size_t c, size_t n) {}
-  /@ requires parts:    b < n && d < n && a*n + b == c*n + d;
-     assigns  \nothing;
-     ensures  unique:   a == c && b == d; @/
-  static void fact_unique(size_t a, size_t b, size_t c, size_t d, size_t n)
-  {
-      if (a < c) fact_product(a + 1, c, n);
-      if (c < a) fact_product(c + 1, a, n);
-  }
   /@ requires parts:    b < n && d < n && (a != c || b != d);
      assigns  \nothing;
      ensures  distinct: a*n + b != c*n + d; @/
