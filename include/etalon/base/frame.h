@@ -19,6 +19,7 @@ typedef struct { et_vec3 offset, scale; } et_frame;
 /* "box", "uniform", "none"; null past the last.
  * Golden: none (names). */
 /*@ assigns \result \from kind;
+    ensures named: ET_FRAME_BOX <= kind <= ET_FRAME_NONE ==> \result != \null;
     ensures known: ET_FRAME_BOX <= kind <= ET_FRAME_NONE ==> valid_read_string(\result);
     ensures past:  !(ET_FRAME_BOX <= kind <= ET_FRAME_NONE) ==> \result == \null;
 */
@@ -30,6 +31,8 @@ const char *et_frame_name(et_frame_kind kind);
     requires points: \valid_read(points + (0 .. n - 1));
     requires apart:  \separated(frame, points + (0 .. n - 1));
     assigns  *frame;
+    ensures  above:  \result == ET_OK ==> \gt_double(frame->scale.x, (double)0.0) && \gt_double(frame->scale.y, (double)0.0)
+                         && \gt_double(frame->scale.z, (double)0.0);
     ensures  scale:  \result == ET_OK ==> frame->scale.x > 0.0 && frame->scale.y > 0.0 && frame->scale.z > 0.0;
     ensures  kept:   \result != ET_OK ==> *frame == \old(*frame);
     ensures  empty:  n == 0 && ET_FRAME_BOX <= kind <= ET_FRAME_NONE ==> \result == ET_EFORMAT;

@@ -1,0 +1,2 @@
+/* As in libm.h: isfinite and sqrt. */
+#include "libm.h"
