@@ -7,6 +7,7 @@
 # make accuracy     bounds beside the worst errors seen    make bits    the same bits everywhere
 # make faults       no memory, no room on the disk     make conformance other libraries judged: docs/scoreboard.md
 # make mutants      small faults put into the code: which do the tests notice?  ROOMS="som fit" FILES=param.c SAMPLE=1/10
+# make proofs       everything that is proved, proved again: proofs/README.md
 # make bench        speed, as ratios to named peers      make install DESTDIR= PREFIX=/usr/local
 # make P=asan ...   the same under another profile: release, native, clang, debug, asan, fuzz, afl, cover
 
@@ -203,7 +204,7 @@ check: deps-test
 	@$(SUM) '$(MAKE) -s $(J) built' '$(MAKE) -s $(J) P=clang built' '$(MAKE) -s $(J) P=asan built' '$(MAKE) -s $(J) also' \
 	  "$(SUM) -j $$(nproc 2> /dev/null || echo 1) '$(MAKE) -s test' '$(MAKE) -s bits PARTS=\"native s390x fault\"' '$(MAKE) -s end-to-end' 'ET_RUNS=200 $(MAKE) -s asan' 'ET_RUNS=200 $(MAKE) -s P=clang test' \
 	  '$(MAKE) -s judged' '$(MAKE) -s faults MOST=12' 'sh tests/oss-fuzz.sh $(BUILD)/oss-fuzz' '$(MAKE) -s rows' '$(MAKE) -s within' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' \
-	  '$(MAKE) -s contracts' '$(MAKE) -s audit' '$(MAKE) -s docs' 'sh tests/install.sh $(BUILD)'"
+	  '$(MAKE) -s contracts' '$(MAKE) -s proofs-quick' '$(MAKE) -s audit' '$(MAKE) -s docs' 'sh tests/install.sh $(BUILD)'"
 # What else the tests are made of: built before they run side by side.
 also: $(B)/frozen $(B)/memory $(B)/accuracy $(B)/replay adapters-light
 end-to-end: all
@@ -256,6 +257,7 @@ PACKAGES_FUZZ := clang libclang-rt-14-dev libgsl-dev libsisl-dev afl++
 PACKAGES_CONFORM := libgsl-dev libsisl-dev libocct-modeling-algorithms-dev python3 python3-scipy
 PACKAGES_BITS := libblas3 liblapack3 libopenblas0-pthread libatlas3-base qemu-user-static gcc-aarch64-linux-gnu gcc-s390x-linux-gnu gcc-i686-linux-gnu
 PACKAGES_BENCH := libgsl-dev libsisl-dev libocct-modeling-algorithms-dev libpagmo-dev libboost-serialization-dev libtbb-dev python3-scipy r-base-core r-cran-kohonen
+PACKAGES_PROOFS := frama-c-base cvc4 cvc5 z3 why3 gappa libcoq-gappa coq libcoq-flocq libcoq-coquelicot libcoq-interval python3
 deps:
 	@sh tests/deps.sh $(PACKAGES)
 deps-test:
@@ -266,6 +268,16 @@ demo: deps
 	$(BUILD)/release/etalon generate sphere -o $(BUILD)/demo/sphere.xyz
 	$(BUILD)/release/etalon reconstruct $(BUILD)/demo/sphere.xyz --refine ga,de,pso,ceres -o $(BUILD)/demo
 	@echo "The pictures are in $(BUILD)/demo (*.png); $(BUILD)/demo/report.md ties them together, $(BUILD)/demo/surface.igs opens in CAD."
+
+# What was proved is remembered in build/proofs, so that a run that was stopped goes on; quick: only what is not the text that was proved.
+proofs:
+	@sh tests/deps.sh $(PACKAGES_PROOFS)
+	@sh proofs/prove.sh $(BUILD)/proofs
+proofs-accept:
+	@sh proofs/prove.sh --accept $(BUILD)/proofs
+proofs-quick:
+	@[ -z "$$(sh proofs/prove.sh --changed $(BUILD)/proofs)" ] || sh tests/deps.sh $(PACKAGES_PROOFS)
+	@sh proofs/prove.sh --quick $(BUILD)/proofs
 
 install: all $(B)/etalon.pc
 	install -d $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/man/man1
@@ -285,4 +297,4 @@ uninstall:
 	rm -rf $(DESTDIR)$(PREFIX)/share/etalon
 clean:
 	rm -rf $(BUILD)
-.PHONY: all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits print-libs fuzz fuzz-min cover covering faults built also check end-to-end mutants mutate mutants-self bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean
+.PHONY: proofs proofs-accept proofs-quick all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits print-libs fuzz fuzz-min cover covering faults built also check end-to-end mutants mutate mutants-self bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean

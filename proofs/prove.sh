@@ -1,0 +1,161 @@
+#!/bin/sh
+# prove.sh [--quick | --changed] [--accept] BUILD [PIECE...]: everything that is proved, proved again; without PIECE all.
+#
+#   quote      what Coq's files quote of the C code still stands there
+#   tie        the rows by which Tie.v holds the models against the code are those the code gives, bit for bit
+#   constants  the bounds in the documentation, in the code's comments and in the proofs are one and the same
+#   gappa      the bounds for degree 3
+#   coq        the theorems, and on which axioms they rest: golden/proofs/assumptions.txt, rounding_assumptions.txt
+#   UNIT       a unit of proofs/wp.tsv
+#
+# --quick: of the last three kinds only those whose text (or whatever it includes) is not the one that golden/proofs/proved.tsv says was proved.
+# --changed: only their names.
+# --accept: numbers of goals, axioms and texts become golden.  What BUILD holds is not proved again, so that a run that was stopped goes on.
+set -u
+LC_ALL=C
+export LC_ALL
+quick= changed= accept=
+while :; do
+    case ${1-} in
+    --quick) quick=yes ;;
+    --changed) changed=yes ;;
+    --accept) accept=--accept ;;
+    *) break ;;
+    esac
+    shift
+done
+[ $# -gt 0 ] || { echo 'usage: prove.sh [--quick | --changed] [--accept] BUILD [PIECE...]' >&2; exit 2; }
+mkdir -p "$1" && build=$(cd "$1" && pwd) || exit 2
+shift
+cd "$(dirname "$0")/.." || exit 2
+golden=golden/proofs proved=golden/proofs/proved.tsv
+passed=0 failed=0
+good() { echo "ok $1"; passed=$((passed + 1)); }
+bad() { echo "FAIL $1"; failed=$((failed + 1)); }
+trap 'exit 130' INT TERM
+
+# The files on which a piece depends.
+inputs() {
+    case $1 in
+    gappa) ls proofs/gappa/*.g ;;
+    coq) ls proofs/coq/*.v proofs/coq/order ;;
+    *)
+        source=$(sed -n "s/^$1	\([^	]*\).*/\1/p" proofs/wp.tsv)
+        gcc -MM -Iinclude -Isrc "$source" | tr -d '\\' | tr ' ' '\n' | grep -E '^(src|include|proofs)/'
+        ls proofs/logic/*.h proofs/why3/* proofs/why3.conf proofs/wp.sh
+        ;;
+    esac
+}
+
+key() {
+    { grep "^$1	" proofs/wp.tsv; inputs "$1" | sort -u | xargs sha256sum; } | sha256sum | cut -d ' ' -f 1
+}
+
+unchanged() {
+    grep -qx "$1	$(key "$1")" "$proved" 2> /dev/null
+}
+
+# Records the text of a piece that was proved.
+record() {
+    [ -n "$accept" ] || return 0
+    { grep -v "^$1	" "$proved" 2> /dev/null; printf '%s\t%s\n' "$1" "$(key "$1")"; } | sort > "$proved.new" && mv "$proved.new" "$proved"
+}
+
+# Golden text: prints what differs.
+same() {
+    if [ -n "$accept" ]; then
+        cp "$2" "$1"
+    else
+        diff "$1" "$2"
+    fi
+}
+
+wants() {
+    command -v "$1" > /dev/null && return
+    bad "$2: $1 is not installed"
+    return 1
+}
+
+# In the order of proofs/coq/order, each with the text of all before it for its key.
+coq() {
+    wants coqc coq || return
+    mkdir -p "$build/coq"
+    chain= right=yes
+    for v in $(cat proofs/coq/order); do
+        chain=$(printf '%s\n' "$chain" | cat - "proofs/coq/$v" | sha256sum | cut -d ' ' -f 1)
+        at=$build/coq/${v%.v}
+        if [ "$(cat "$at.key" 2> /dev/null)" != "$chain" ]; then
+            cp "proofs/coq/$v" "$at.v"
+            rm -f "$at.key"
+            if ! (cd "$build/coq" && nice coqc -R . Etalon "$v") > "$at.out" 2> "$at.log"; then
+                sed 's/^/  /' "$at.log"
+                bad "coq $v"
+                return
+            fi
+            echo "$chain" > "$at.key"
+        fi
+        good "coq $v"
+    done
+    if grep -lE '^[[:space:]]*(Admitted|Axiom|Parameter|Conjecture)\b|admit\.' proofs/coq/*.v; then
+        bad 'coq: something is assumed'
+        right=
+    fi
+    same $golden/assumptions.txt "$build/coq/Assumptions.out" && same $golden/rounding_assumptions.txt "$build/coq/RoundingAssumptions.out" || right=
+    [ -n "$right" ] && good 'coq: definitions, statements and axioms are the golden ones' && record coq && return
+    bad 'coq: definitions, statements or axioms are not the golden ones'
+}
+
+gappa_all() {
+    wants gappa gappa || return
+    right=yes
+    for g in proofs/gappa/*.g; do
+        if (cd proofs/gappa && gappa "${g##*/}") > "$build/gappa.log" 2>&1; then
+            good "gappa ${g##*/}"
+        else
+            sed 's/^/  /' "$build/gappa.log"
+            bad "gappa ${g##*/}"
+            right=
+        fi
+    done
+    [ -z "$right" ] || record gappa
+}
+
+unit() {
+    wants frama-c "wp $1" && wants cvc4 "wp $1" && wants z3 "wp $1" || return
+    # shellcheck disable=SC2086
+    if sh proofs/wp.sh $accept "$build/wp" "$1" > "$build/$1.log" 2>&1; then
+        good "$(sed -n 's/^ok //p' "$build/$1.log")"
+        record "$1"
+    else
+        grep -v ' passed, ' "$build/$1.log"
+        failed=$((failed + 1))
+    fi
+}
+
+mkdir -p $golden
+units=$(sed -n 's/^\([a-z][^	]*\)	.*/\1/p' proofs/wp.tsv)
+if [ -n "$changed" ]; then
+    for piece in gappa coq $units; do unchanged "$piece" || echo "$piece"; done
+    exit 0
+fi
+[ $# -gt 0 ] || set -- quote tie constants gappa coq $units
+for piece; do
+    case $piece in
+    quote) sh proofs/coq/quote.sh > "$build/quote.log" 2>&1 && good "quote: $(tail -n 1 "$build/quote.log")" || { cat "$build/quote.log"; bad quote; } ;;
+    tie) python3 proofs/coq/tie.py --check > "$build/tie.log" 2>&1 && good 'tie: the rows are what the code gives' || { cat "$build/tie.log"; bad tie; } ;;
+    constants) python3 proofs/constants.py > "$build/constants.log" 2>&1 && good "constants: $(tail -n 1 "$build/constants.log")" || { cat "$build/constants.log"; bad constants; } ;;
+    *)
+        if [ -n "$quick" ] && unchanged "$piece"; then
+            good "$piece: the text that was proved"
+            continue
+        fi
+        case $piece in
+        coq) coq ;;
+        gappa) gappa_all ;;
+        *) unit "$piece" ;;
+        esac
+        ;;
+    esac
+done
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
