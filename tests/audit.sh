@@ -133,11 +133,24 @@ for s in $(sed -nE 's/^#+ (et_[a-z0-9_]+)$/\1/p' docs/*.md 2> /dev/null); do gre
 verdict 'every heading of a function in docs is about one that exists'
 for f in proofs/*; do
     m=${f##*/} m=${m%%[._]*}
-    case ${f##*/} in README.md | *.sh | *.txt | Makefile) continue ;; esac
+    case ${f##*/} in README.md | *.sh | *.py | wp.tsv | status.tsv | why3.conf | why3 | coq | gappa | logic) continue ;; esac
     [ ! -e "$f" ] || is_module "$m" || lacks "$f"
 done
-for s in $(cat proofs/*.txt 2> /dev/null | grep -oE '^et_[a-z0-9_]+' | sort -u); do grep -qx "$s" "$work/functions" || lacks "$s in proofs"; done
 verdict 'every proof is about a module that exists'
+if [ -f proofs/status.tsv ]; then
+    grep -v '^#' proofs/status.tsv | cut -f 1 | sort > "$work/status"
+    comm -3 "$work/status" "$work/functions" | tr -d '\t' | while read -r s; do echo "$s in proofs/status.tsv"; done > "$work/unlike"
+    while read -r s; do lacks "$s"; done < "$work/unlike"
+    awk -F '\t' '!/^#/ && (NF != 4 || $2 !~ /^(-|(safe|order|real|bound)( (safe|order|real|bound))*)$/ || $3 == "" || $4 == "")' proofs/status.tsv > "$work/odd"
+    while read -r s; do lacks "$s"; done < "$work/odd"
+    verdict 'proofs/status.tsv has a line for each public function and says what is proved, by what, and what is not'
+fi
+for u in $(sed -nE 's/^([a-z][^\t]*)\t.*/\1/p' proofs/wp.tsv 2> /dev/null); do [ -f "golden/proofs/$u.tsv" ] || lacks "golden/proofs/$u.tsv"; done
+for g in golden/proofs/*.tsv; do
+    u=${g##*/} u=${u%.tsv}
+    [ ! -f "$g" ] || [ "$u" = proved ] || grep -q "^$u	" proofs/wp.tsv || lacks "$g"
+done
+verdict 'every unit of proofs/wp.tsv has its golden goals'
 for b in tests/bench/bench_*.c; do
     m=${b##*/bench_} m=${m%.c}
     [ ! -f "$b" ] || is_module "${m%%_*}" || [ -d "include/etalon/${m%%_*}" ] || lacks "$b"
