@@ -13,6 +13,7 @@
 int libm_isfinite(double x);
 /*@ assigns \nothing;
     ensures  root:     \is_finite(x) && x >= 0.0 ==> \is_finite(\result) && \result >= 0.0;
+    ensures  zero:     \is_finite(x) && x == 0.0 ==> \result == 0.0;
     ensures  infinite: \is_plus_infinity(x) ==> \is_plus_infinity(\result);
     ensures  none:     (\is_finite(x) && x < 0.0) || \is_minus_infinity(x) || \is_NaN(x) ==> \is_NaN(\result);
 */

@@ -9,20 +9,43 @@ enum { LANES = 8, BLOCK = 128 };
 
 /* At most BLOCK terms.  A full block: BLOCK / LANES - 1 rounded additions in a lane and three between lanes; else one fewer in a lane and
  * one for the rest: a term passes at most 18 roundings. */
+/*@ requires terms: \valid_read(x + (0 .. n - 1)) && n <= BLOCK;
+    assigns  \nothing;
+*/
 static double sum_block(const double *x, size_t n)
 {
     double lane[LANES] = {0.0};
     double rest = 0.0;
     size_t i = 0;
+    /*@ loop invariant place: i <= n;
+        loop assigns i, lane[0 .. LANES - 1];
+        loop variant n - i;
+    */
     for (; i + LANES <= n; i += LANES) {
+        /*@ loop invariant place: k <= LANES;
+            loop assigns k, lane[0 .. LANES - 1];
+            loop variant LANES - k;
+        */
         for (size_t k = 0; k < LANES; k++) {
             lane[k] += x[i + k];
         }
     }
+    /*@ loop invariant place: i <= n;
+        loop assigns i, rest;
+        loop variant n - i;
+    */
     for (; i < n; i++) {
         rest += x[i];
     }
+    /*@ loop invariant half: half <= LANES / 2;
+        loop assigns half, lane[0 .. LANES / 2 - 1];
+        loop variant half;
+    */
     for (size_t half = LANES / 2; half > 0; half /= 2) {
+        /*@ loop invariant place: k <= half;
+            loop assigns k, lane[0 .. LANES / 2 - 1];
+            loop variant half - k;
+        */
         for (size_t k = 0; k < half; k++) {
             lane[k] += lane[k + half];
         }

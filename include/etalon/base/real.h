@@ -29,6 +29,7 @@ extern "C" {
  * A term passes at most m = 18 + ceil(log2 ceil(n/128)) roundings, so the error is at most ((1+u)^m - 1) sum|x_i| barring overflow
  * (underflow does no harm: sums of doubles that are subnormal are exact).  Terms that are not finite give what IEEE 754 says. */
 /*@ requires terms:  \valid_read(x + (0 .. n - 1));
+    decreases n;
     assigns  \nothing;
     ensures  empty:  n == 0 ==> \result == 0.0;
     ensures  one:    n == 1 && \is_finite(x[0]) ==> \result == x[0];

@@ -15,9 +15,11 @@ typedef et_status (*et_task_fn)(void *context, size_t done, size_t total);
 typedef struct { et_task_fn step; void *context; } et_task;
 
 /* ET_OK if task or its callback is null, else what the callback returns for (task->context, done, total); it is called once.
+ * The callback writes to its own memory only: to nothing that the computation reads or writes.
  * Golden: none (the caller's function decides). */
 /*@ requires task: task == \null || \valid_read(task);
     requires done: done <= total;
+    assigns  \result \from task, done, total;
     ensures  none: \old(task == \null || task->step == \null) ==> \result == ET_OK;
 */
 et_status et_task_step(const et_task *task, size_t done, size_t total);
