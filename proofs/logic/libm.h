@@ -6,6 +6,9 @@
 #undef isfinite
 #define isfinite(x) libm_isfinite(x)
 #define sqrt(x) libm_sqrt(x)
+#define fabs(x) libm_fabs(x)
+#define floor(x) libm_floor(x)
+#define copysign(x, y) libm_copysign(x, y)
 /*@ assigns \nothing;
     ensures  truth:    \result == 0 || \result == 1;
     ensures  finite:   \result == 1 <==> \is_finite(x);
@@ -18,4 +21,14 @@ int libm_isfinite(double x);
     ensures  none:     (\is_finite(x) && x < 0.0) || \is_minus_infinity(x) || \is_NaN(x) ==> \is_NaN(\result);
 */
 double libm_sqrt(double x);
+/*@ assigns \nothing;
+    ensures  size:     \is_finite(x) ==> \is_finite(\result) && \result >= 0.0 && (\result == x || \result == -x);
+    ensures  infinite: \is_infinite(x) ==> \is_plus_infinity(\result);
+    ensures  none:     \is_NaN(x) ==> \is_NaN(\result);
+*/
+double libm_fabs(double x);
+/*@ assigns \nothing; */
+double libm_floor(double x);
+/*@ assigns \nothing; */
+double libm_copysign(double x, double y);
 #endif

@@ -14,6 +14,10 @@
  * product with s, and of the last sum: 2^-71 each; the rest 2^-78.
  *
  * In all 2 (2^-77.6 + 2^-72 + 2^-70.5 + 2^-70.04 + 2 2^-72) + 3 2^-71 + 2^-78 < 2^-67.3; the rounding of lo -+ E adds 2^-71: below 2^-67. */
+/*@ requires scale: \valid(scale);
+    assigns  *scale;
+    ensures  power: -2048 <= *scale < 1 << 25;
+*/
 static inline et_dd fast(int *scale, double x, double low)
 {
     const double shifted = x * exp_steps + 0x1.8p52, k = shifted - 0x1.8p52;        /* the nearest integer, which stands in the last bits of shifted */
@@ -34,6 +38,7 @@ et_dd real_exp_fast(int *scale, double x, double low)
 }
 
 /* Results that overflow, that are subnormal, that are near to it, or that are none. */
+/*@ assigns \nothing; */
 static double outside(double x)
 {
     if (x != x)

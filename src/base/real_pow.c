@@ -1,6 +1,7 @@
 #include "base/real_parts.h"
 
 /* 0 < x finite, y finite.  w = y ln x is within 2^-73.3 |w|, so its power, at most 2.01 2^scale, within 2^-72 |w| more than e^w itself. */
+/*@ assigns \nothing; */
 static double power(double x, double y)
 {
     const et_dd l = real_log_fast(x);
@@ -19,6 +20,7 @@ static double power(double x, double y)
 }
 
 /* 1 for odd integers, 2 for even ones, 0 for other numbers; y finite or infinite (which is even). */
+/*@ assigns \nothing; */
 static int parity(double y)
 {
     const double half = 0.5 * y;
@@ -27,6 +29,7 @@ static int parity(double y)
 }
 
 /* What is not a power of a positive number with a finite exponent (C99, F.9.4.4). */
+/*@ assigns \nothing; */
 static double special(double x, double y)
 {
     if (y == 0 || x == 1)

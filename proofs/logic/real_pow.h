@@ -1,0 +1,2 @@
+/* As in libm.h: what the elementary functions call. */
+#include "libm.h"
