@@ -15,11 +15,17 @@ et_search_options et_search_defaults(void)
     return o;
 }
 
+/*@ assigns \nothing; */
 static int is_probability(double p)
 {
     return p >= 0.0 && p <= 1.0;          /* false for NaN */
 }
 
+/*@ requires in:    \valid_read(o);
+    assigns  \nothing;
+    ensures  sizes: \result != 0 ==> 4 <= o->population && 1 <= n && 1 <= o->group && n % o->group == 0 && 1 <= o->tournament;
+    ensures  reals: \result != 0 ==> \is_finite(o->spread) && o->spread >= 0 && \is_finite(o->box);
+*/
 static int options_valid(const et_search_options *o, size_t n)
 {
     return o->population >= 4 && n >= 1 && o->group >= 1 && n % o->group == 0 && o->tournament >= 1
@@ -63,9 +69,18 @@ static et_status search_allocate(et_search *s, size_t n, size_t population, int 
 void et_search_draw(double *x, const et_search *search, size_t first, size_t count, double radius, et_rng *rng)
 {
     et_rng_fill(x, count, rng);
+    /*@ loop invariant range: 0 <= k <= count;
+        loop assigns   k, x[0 .. count - 1];
+        loop variant   count - k; */
     for (size_t k = 0; k < count; k++) x[k] = search->x0[first + k] + radius * (2.0 * x[k] - 1.0);
 }
 
+/*@ assigns \nothing;
+    ensures  none: \is_NaN(x) ==> \is_NaN(\result);
+    ensures  ends: \is_NaN(x) || \eq_double(\result, x) || \eq_double(\result, lo) || \eq_double(\result, hi);
+    ensures  hi:   !\is_NaN(x) && !\is_NaN(lo) && !\is_NaN(hi) ==> \le_double(\result, hi);
+    ensures  lo:   !\is_NaN(x) && !\is_NaN(lo) && !\is_NaN(hi) && \le_double(lo, hi) ==> \ge_double(\result, lo);
+*/
 static double clamped(double x, double lo, double hi)
 {
     const double y = x < lo ? lo : x;
@@ -73,11 +88,28 @@ static double clamped(double x, double lo, double hi)
 }
 
 /* Loops of a fixed count become vectors at any level of optimisation. */
+/*@ requires inout: \valid(x + (0 .. n - 1)) && \valid_read(x0 + (0 .. n - 1)) && \separated(x + (0 .. n - 1), x0 + (0 .. n - 1));
+    requires size:  n * sizeof(double) <= SIZE_MAX;
+    assigns  x[0 .. n - 1];
+    ensures  nan:   \forall integer k; 0 <= k < n && \is_NaN(\old(x[k])) ==> \is_NaN(x[k]);
+*/
 static void clamp(double *restrict x, const double *restrict x0, double box, size_t n)
 {
     size_t k = 0;
+    /*@ loop invariant range: 0 <= k <= n;
+        loop invariant nan:   \forall integer j; 0 <= j < n && \is_NaN(\at(x[j], Pre)) ==> \is_NaN(x[j]);
+        loop assigns   k, x[0 .. n - 1];
+        loop variant   n - k; */
     for (; k + BLOCK <= n; k += BLOCK)
+        /*@ loop invariant range: 0 <= i <= BLOCK;
+            loop invariant nan:   \forall integer j; 0 <= j < n && \is_NaN(\at(x[j], Pre)) ==> \is_NaN(x[j]);
+            loop assigns   i, x[0 .. n - 1];
+            loop variant   BLOCK - i; */
         for (size_t i = 0; i < BLOCK; i++) x[k + i] = clamped(x[k + i], x0[k + i] - box, x0[k + i] + box);
+    /*@ loop invariant range: 0 <= k <= n;
+        loop invariant nan:   \forall integer j; 0 <= j < n && \is_NaN(\at(x[j], Pre)) ==> \is_NaN(x[j]);
+        loop assigns   k, x[0 .. n - 1];
+        loop variant   n - k; */
     for (; k < n; k++) x[k] = clamped(x[k], x0[k] - box, x0[k] + box);
 }
 
@@ -89,7 +121,10 @@ void et_search_clamp(double *x, const et_search *search)
 et_status et_search_eval(double *value, et_search *search, const double *x)
 {
     double v = 0.0;
-    const et_status status = search->fn(&v, x, search->n, search->context);
+    et_status status;
+    /*@ admit any: search->fn == &search_any_fn; */
+    /*@ calls search_any_fn; */
+    status = search->fn(&v, x, search->n, search->context);
     if (status != ET_OK) return status;
     if (isnan(v)) return ET_EINVAL;       /* an order must exist, or no best does */
     if (search->evaluations == 0 || v < search->best_value) {
@@ -143,8 +178,26 @@ et_status et_search_start(et_search *search, const double *x0, size_t n, const e
 et_status et_search_run(et_search *search, size_t *made, double *history, size_t generations, et_search_step step, et_rng *rng, const et_task *task)
 {
     *made = 0;
+    /*@ admit any: step == &search_any_step; */
+    /*@ loop invariant range:   0 <= g <= generations && *made == g;
+        loop invariant started: et_search_started(search) && search->generation == \at(search->generation, Pre) + g;
+        loop invariant room:    search->evaluations <= \at(search->evaluations, Pre) + g * search->options.population;
+        loop invariant best:    \le_double(search->best_value, \at(search->best_value, Pre));
+        loop invariant falling: history != \null ==> \forall integer h; 0 < h < g ==> \le_double(history[h], history[h - 1]);
+        loop invariant start:   history != \null ==> \forall integer h; 0 <= h < g ==> \le_double(history[h], \at(search->best_value, Pre));
+        loop invariant last:    history != \null && 0 < g ==> \eq_double(history[g - 1], search->best_value);
+        loop assigns   g, search->best_value, search->generation, search->evaluations, *made, history[0 .. generations - 1], *rng,
+                       search->x[0 .. search->options.population * search->n - 1], search->value[0 .. search->options.population - 1],
+                       search->velocity[0 .. search->options.population * search->n - 1],
+                       search->memory[0 .. search->options.population * search->n - 1],
+                       search->remembered[0 .. search->options.population - 1],
+                       search->trial[0 .. (search->options.population + 1) * (search->n + 1) - 1], search->best[0 .. search->n - 1];
+        loop variant   generations - g; */
     for (size_t g = 0; g < generations; g++) {
-        et_status status = step(search, rng);
+        et_status status;
+        /*@ ghost fact_product(g + 1, generations, search->options.population); */
+        /*@ calls search_any_step; */
+        status = step(search, rng);
         if (status != ET_OK) return status;
         if (history) history[g] = search->best_value;
         *made = g + 1;

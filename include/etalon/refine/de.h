@@ -12,13 +12,14 @@ extern "C" {
  *   3. trial = x_r1 + F (x_r2 - x_r3) in the genes with U < CR and in that one, x_i in the others; clamped to the box; evaluated.
  * Generations are separate, as Storn and Price have it: all trials are built from the old generation; then trial i replaces x_i if its value is
  * not greater.  population evaluations.  If the objective fails the population is that of the generation before. */
-/*@ requires search:  et_search_started(search) && \valid(rng) && \separated(search, rng);
+/*@ requires search:  et_search_started(search) && et_search_rng(search, rng);
+    requires room:    search->evaluations + search->options.population <= UINT64_MAX && search->generation < SIZE_MAX;
     assigns  search->x[0 .. search->options.population * search->n - 1], search->value[0 .. search->options.population - 1],
              search->trial[0 .. (search->options.population + 1) * (search->n + 1) - 1],
-             search->best[0 .. search->n - 1], search->best_value, search->generation, search->evaluations, *rng,
-             ((char *)search->context)[0 .. \block_length((char *)search->context) - 1];
+             search->best[0 .. search->n - 1], search->best_value, search->generation, search->evaluations, *rng;
     ensures  count:   \result == ET_OK ==> search->evaluations == \old(search->evaluations) + search->options.population
                                         && search->generation == \old(search->generation) + 1;
+    ensures  started: et_search_started(search);
     ensures  falling: \le_double(search->best_value, \old(search->best_value));
     ensures  better:  \forall integer i; 0 <= i < search->options.population ==> \le_double(search->value[i], \old(search->value[i]));
 */

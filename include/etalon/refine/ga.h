@@ -15,12 +15,13 @@ extern "C" {
  *      spread); child of b likewise;
  *   4. the child of a is evaluated, then that of b; then each replaces its own parent if strictly better (a first).
  * If the objective fails the population is that of the generation before. */
-/*@ requires search:  et_search_started(search) && \valid(rng) && \separated(search, rng);
+/*@ requires search:  et_search_started(search) && et_search_rng(search, rng);
+    requires room:    search->evaluations + 2 <= UINT64_MAX && search->generation < SIZE_MAX;
     assigns  search->x[0 .. search->options.population * search->n - 1], search->value[0 .. search->options.population - 1],
              search->trial[0 .. (search->options.population + 1) * (search->n + 1) - 1],
-             search->best[0 .. search->n - 1], search->best_value, search->generation, search->evaluations, *rng,
-             ((char *)search->context)[0 .. \block_length((char *)search->context) - 1];
+             search->best[0 .. search->n - 1], search->best_value, search->generation, search->evaluations, *rng;
     ensures  count:   \result == ET_OK ==> search->evaluations == \old(search->evaluations) + 2 && search->generation == \old(search->generation) + 1;
+    ensures  started: et_search_started(search);
     ensures  falling: \le_double(search->best_value, \old(search->best_value));
     ensures  better:  \forall integer i; 0 <= i < search->options.population ==> \le_double(search->value[i], \old(search->value[i]));
 */

@@ -11,15 +11,16 @@ extern "C" {
  * (the velocity stays as it is where the position is clamped, or with `absorb` becomes 0); evaluated; the own best is replaced if strictly better.
  * The swarm's best is that of the generation before for the whole sweep, or with `immediate` the best so far.
  * population evaluations.  ET_EINVAL: a search without velocities. */
-/*@ requires search:  et_search_started(search) && \valid(rng) && \separated(search, rng);
+/*@ requires search:  et_search_started(search) && et_search_rng(search, rng);
+    requires room:    search->evaluations + search->options.population <= UINT64_MAX && search->generation < SIZE_MAX;
     assigns  search->x[0 .. search->options.population * search->n - 1], search->value[0 .. search->options.population - 1],
              search->velocity[0 .. search->options.population * search->n - 1], search->memory[0 .. search->options.population * search->n - 1],
              search->remembered[0 .. search->options.population - 1],
              search->trial[0 .. (search->options.population + 1) * (search->n + 1) - 1],
-             search->best[0 .. search->n - 1], search->best_value, search->generation, search->evaluations, *rng,
-             ((char *)search->context)[0 .. \block_length((char *)search->context) - 1];
+             search->best[0 .. search->n - 1], search->best_value, search->generation, search->evaluations, *rng;
     ensures  count:   \result == ET_OK ==> search->evaluations == \old(search->evaluations) + search->options.population
                                         && search->generation == \old(search->generation) + 1;
+    ensures  started: et_search_started(search);
     ensures  falling: \le_double(search->best_value, \old(search->best_value));
     ensures  own:     search->velocity != \null ==> \forall integer i; 0 <= i < search->options.population ==>
                       \le_double(search->remembered[i], \old(search->remembered[i]));

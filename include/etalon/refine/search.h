@@ -17,7 +17,8 @@
 extern "C" {
 #endif
 
-/* *value = f(x), x of n coordinates.  Anything but ET_OK ends the search. */
+/* *value = f(x), x of n coordinates.  Anything but ET_OK ends the search.  It writes *value and its own memory only: nothing else that the search
+ * reads or writes. */
 typedef et_status (*et_search_fn)(double *value, const double *x, size_t n, void *context);
 
 typedef struct {
@@ -51,15 +52,43 @@ typedef struct {
     uint64_t evaluations;                 /* values obtained */
 } et_search;
 
-/*@ predicate et_search_started(et_search *s) =
-        \valid(s) && 4 <= s->options.population && 1 <= s->n && 1 <= s->options.tournament &&
-        1 <= s->options.group && s->n % s->options.group == 0 &&
+/*@ predicate et_search_arrays(et_search *s) =
+        \valid(s) && 4 <= s->options.population && 1 <= s->n && s->n * sizeof(double) <= SIZE_MAX &&
+        (s->options.population + 1) * (s->n + 1) * sizeof(double) <= SIZE_MAX &&
         \valid(s->x + (0 .. s->options.population * s->n - 1)) && \valid(s->value + (0 .. s->options.population - 1)) &&
         \valid(s->trial + (0 .. (s->options.population + 1) * (s->n + 1) - 1)) &&
-        \valid(s->x0 + (0 .. s->n - 1)) && \valid(s->best + (0 .. s->n - 1)) && (\forall integer k; 0 <= k < s->n ==> \is_finite(s->x0[k])) &&
+        \valid(s->x0 + (0 .. s->n - 1)) && \valid(s->best + (0 .. s->n - 1)) &&
         (s->velocity == \null || (\valid(s->velocity + (0 .. s->options.population * s->n - 1)) &&
                                   \valid(s->memory + (0 .. s->options.population * s->n - 1)) &&
                                   \valid(s->remembered + (0 .. s->options.population - 1))));
+
+    predicate et_search_apart(et_search *s) =
+        \separated(s, s->x0 + (0 .. s->n - 1), s->x + (0 .. s->options.population * s->n - 1), s->value + (0 .. s->options.population - 1),
+                   s->trial + (0 .. (s->options.population + 1) * (s->n + 1) - 1), s->best + (0 .. s->n - 1)) &&
+        (s->velocity == \null ||
+         \separated(s, s->x0 + (0 .. s->n - 1), s->x + (0 .. s->options.population * s->n - 1), s->value + (0 .. s->options.population - 1),
+                    s->trial + (0 .. (s->options.population + 1) * (s->n + 1) - 1), s->best + (0 .. s->n - 1),
+                    s->velocity + (0 .. s->options.population * s->n - 1), s->memory + (0 .. s->options.population * s->n - 1),
+                    s->remembered + (0 .. s->options.population - 1)));
+
+    predicate et_search_options_ok(et_search *s) =
+        1 <= s->options.tournament && 1 <= s->options.group && s->n % s->options.group == 0 &&
+        \is_finite(s->options.spread) && s->options.spread >= 0 && \is_finite(s->options.box) &&
+        (\forall integer k; 0 <= k < s->n ==> \is_finite(s->x0[k]));
+
+    predicate et_search_ordered(et_search *s) =
+        !\is_NaN(s->best_value) && (\forall integer i; 0 <= i < s->options.population ==> !\is_NaN(s->value[i])) &&
+        (s->velocity == \null || \forall integer i; 0 <= i < s->options.population ==> !\is_NaN(s->remembered[i]));
+
+    predicate et_search_started(et_search *s) =
+        et_search_arrays(s) && et_search_apart(s) && et_search_options_ok(s) && et_search_ordered(s) && 1 <= s->evaluations;
+
+    predicate et_search_rng(et_search *s, et_rng *rng) =
+        \valid(rng) && \separated(rng, s, s->x0 + (0 .. s->n - 1), s->x + (0 .. s->options.population * s->n - 1),
+                                  s->value + (0 .. s->options.population - 1), s->best + (0 .. s->n - 1),
+                                  s->trial + (0 .. (s->options.population + 1) * (s->n + 1) - 1)) &&
+        (s->velocity == \null || \separated(rng, s->velocity + (0 .. s->options.population * s->n - 1),
+                                            s->memory + (0 .. s->options.population * s->n - 1), s->remembered + (0 .. s->options.population - 1)));
 */
 
 /* The values of the source's Table 6.1 with the readings of docs/search.md, one coordinate to a gene. */
@@ -82,8 +111,7 @@ et_search_options et_search_defaults(void);
     requires finite: \forall integer k; 0 <= k < n ==> \is_finite(x0[k]);
     requires in:     \valid_read(options) && \valid(rng);
     requires apart:  \separated(search, x0 + (0 .. n - 1), options, rng);
-    assigns  *search, *rng,
-             ((char *)context)[0 .. \block_length((char *)context) - 1];
+    assigns  *search, *rng;
     ensures  made:   \result == ET_OK ==> et_search_started(search);
     ensures  size:   \result == ET_OK ==> search->n == n && search->options.population == options->population;
     ensures  start:  \result == ET_OK ==> search->generation == 0 && search->evaluations == options->population;
@@ -108,7 +136,7 @@ void et_search_free(et_search *search);
     requires range:  first + count <= search->n && \valid_read(search->x0 + (0 .. search->n - 1));
     requires finite: \forall integer k; 0 <= k < search->n ==> \is_finite(search->x0[k]);
     requires out:    \valid(x + (0 .. count - 1));
-    requires apart:  \separated(x + (0 .. count - 1), search->x0 + (0 .. search->n - 1));
+    requires apart:  \separated(x + (0 .. count - 1), search->x0 + (0 .. search->n - 1), rng, search);
     requires radius: \is_finite(radius) && radius >= 0;
     assigns  x[0 .. count - 1], *rng;
     ensures  drawn:  \forall integer k; 0 <= k < count ==>
@@ -116,28 +144,33 @@ void et_search_free(et_search *search);
 */
 void et_search_draw(double *x, const et_search *search, size_t first, size_t count, double radius, et_rng *rng);
 
-/* Every coordinate of x into [x0 - box, x0 + box] (the ends rounded as a double subtraction and sum are); without a box nothing. */
+/* Every coordinate of x into [x0 - box, x0 + box] (the ends rounded as a double subtraction and sum are); without a box nothing.  A NaN stays one. */
 /*@ requires search: \valid_read(search) && \valid_read(search->x0 + (0 .. search->n - 1));
     requires inout:  \valid(x + (0 .. search->n - 1)) && \separated(x + (0 .. search->n - 1), search, search->x0 + (0 .. search->n - 1));
-    requires order:  \forall integer k; 0 <= k < search->n ==> \is_finite(search->x0[k]) && !\is_NaN(x[k]);
+    requires order:  \is_finite(search->options.box) && \forall integer k; 0 <= k < search->n ==> \is_finite(search->x0[k]);
+    requires size:   search->n * sizeof(double) <= SIZE_MAX;
     assigns  x[0 .. search->n - 1];
-    ensures  box:    search->options.box > 0 ==> \forall integer k; 0 <= k < search->n ==>
+    ensures  box:    search->options.box > 0 ==> \forall integer k; 0 <= k < search->n && !\is_NaN(\old(x[k])) ==>
                      \ge_double(x[k], (double)(search->x0[k] - search->options.box)) &&
                      \le_double(x[k], (double)(search->x0[k] + search->options.box));
-    ensures  none:   search->options.box <= 0 ==> \forall integer k; 0 <= k < search->n ==> x[k] == \old(x[k]);
+    ensures  nan:    \forall integer k; 0 <= k < search->n && \is_NaN(\old(x[k])) ==> \is_NaN(x[k]);
+    ensures  none:   search->options.box <= 0 ==> \forall integer k; 0 <= k < search->n && !\is_NaN(\old(x[k])) ==> x[k] == \old(x[k]);
 */
 void et_search_clamp(double *x, const et_search *search);
 
 /* *value = f(x): counts the evaluation and keeps the best.  Only a strictly smaller value replaces the best: of equals the first stays.  On
  * failure (fn's status; ET_EINVAL for NaN) nothing changes.  Golden: none (the value is the caller's). */
-/*@ requires out:    \valid(value) && \valid(search) && \valid(search->best + (0 .. search->n - 1));
+/*@ requires out:    \valid(value) && \valid(search) && \valid(search->best + (0 .. search->n - 1)) && search->n * sizeof(double) <= SIZE_MAX;
     requires x:      \valid_read(x + (0 .. search->n - 1));
     requires apart:  \separated(value, x + (0 .. search->n - 1), search->best + (0 .. search->n - 1), search);
-    assigns  *value, search->best[0 .. search->n - 1], search->best_value, search->evaluations,
-             ((char *)search->context)[0 .. \block_length((char *)search->context) - 1];
+    requires order:  search->evaluations == 0 || !\is_NaN(search->best_value);
+    requires room:   search->evaluations < UINT64_MAX;
+    assigns  *value, search->best[0 .. search->n - 1], search->best_value, search->evaluations;
     ensures  count:  \result == ET_OK ==> search->evaluations == \old(search->evaluations) + 1;
-    ensures  best:   \result == ET_OK ==> \le_double(search->best_value, *value);
-    ensures  same:   \result != ET_OK ==> search->evaluations == \old(search->evaluations) && search->best_value == \old(search->best_value);
+    ensures  best:   \result == ET_OK ==> !\is_NaN(*value) && \le_double(search->best_value, *value);
+    ensures  falling: \old(search->evaluations) > 0 ==> \le_double(search->best_value, \old(search->best_value));
+    ensures  same:   \result != ET_OK ==> search->evaluations == \old(search->evaluations) &&
+                     (\is_NaN(\old(search->best_value)) || search->best_value == \old(search->best_value));
 */
 et_status et_search_eval(double *value, et_search *search, const double *x);
 
@@ -149,20 +182,32 @@ typedef et_status (*et_search_step)(et_search *search, et_rng *rng);
  * steps were made, search->generation how many since the start.  After a failing objective the best, its value, the count of evaluations and
  * the values of the population hold; a search stepped on from there is not on the path of an unbroken run.
  * Golden: none (the rows of et_ga_step, et_de_step and et_pso_step are runs). */
-/*@ requires search:  et_search_started(search) && \valid(made) && step != \null && \valid(rng);
+/*@ requires search:  et_search_started(search) && et_search_rng(search, rng) && \valid(made) && step != \null;
     requires history: history == \null || \valid(history + (0 .. generations - 1));
     requires task:    task == \null || \valid_read(task);
-    requires apart:   \separated(search, made, history + (0 .. generations - 1), rng);
-    assigns  *search, *made, history[0 .. generations - 1], *rng,
-             ((char *)search->context)[0 .. \block_length((char *)search->context) - 1],
-             ((char *)task->context)[0 .. \block_length((char *)task->context) - 1],
+    requires apart:   \separated(made, search, rng) && (task == \null || \separated(task, made, search, rng));
+    requires own:     history == \null ||
+                      (\separated(history + (0 .. generations - 1), search, made, rng, search->x0 + (0 .. search->n - 1),
+                                  search->x + (0 .. search->options.population * search->n - 1),
+                                  search->value + (0 .. search->options.population - 1), search->best + (0 .. search->n - 1),
+                                  search->trial + (0 .. (search->options.population + 1) * (search->n + 1) - 1)) &&
+                       (search->velocity == \null ||
+                        \separated(history + (0 .. generations - 1), search->velocity + (0 .. search->options.population * search->n - 1),
+                                   search->memory + (0 .. search->options.population * search->n - 1),
+                                   search->remembered + (0 .. search->options.population - 1))));
+    requires room:    search->evaluations + generations * search->options.population <= UINT64_MAX &&
+                      search->generation + generations <= SIZE_MAX;
+    assigns  search->best_value, search->generation, search->evaluations, *made, history[0 .. generations - 1], *rng,
              search->x[0 .. search->options.population * search->n - 1], search->value[0 .. search->options.population - 1],
              search->velocity[0 .. search->options.population * search->n - 1], search->memory[0 .. search->options.population * search->n - 1],
              search->remembered[0 .. search->options.population - 1],
              search->trial[0 .. (search->options.population + 1) * (search->n + 1) - 1], search->best[0 .. search->n - 1];
     ensures  made:    *made <= generations && (\result == ET_OK ==> *made == generations);
+    ensures  best:    \le_double(search->best_value, \old(search->best_value));
     ensures  falling: history != \null ==> \forall integer g; 0 < g < *made ==> \le_double(history[g], history[g - 1]);
+    ensures  start:   history != \null ==> \forall integer g; 0 <= g < *made ==> \le_double(history[g], \old(search->best_value));
     ensures  last:    history != \null && \result == ET_OK && generations > 0 ==> history[generations - 1] == search->best_value;
+    ensures  started: et_search_started(search);
 */
 et_status et_search_run(et_search *search, size_t *made, double *history, size_t generations, et_search_step step, et_rng *rng, const et_task *task);
 

@@ -1,0 +1,2 @@
+/* As in search.h: what the steps call. */
+#include "search.h"
