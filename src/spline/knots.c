@@ -8,6 +8,12 @@ int et_knots_valid(const double *u, size_t nu, size_t p)
     if (p > SIZE_MAX / 2 - 1 || nu < 2 * p + 2) {
         return 0;
     }
+    /*@ loop invariant place:  i <= nu;
+        loop invariant finite: \forall integer k; 0 <= k < i ==> \is_finite(u[k]);
+        loop invariant sorted: \forall integer a, b; 0 <= a <= b < i ==> u[a] <= u[b];
+        loop assigns i;
+        loop variant nu - i;
+    */
     for (size_t i = 0; i < nu; i++) {
         if (!isfinite(u[i]) || (i > 0 && !(u[i - 1] <= u[i]))) {
             return 0;
@@ -29,6 +35,12 @@ size_t et_knots_span(const double *u, size_t nu, size_t p, double x)
     size_t lo = p, hi = nu - p - 1;
     double end = u[hi];
     x = x < u[lo] ? u[lo] : x;
+    /*@ loop invariant range: p <= lo < hi <= nu - p - 1;
+        loop invariant inner: x < end ==> u[lo] <= x < u[hi];
+        loop invariant outer: !(x < end) ==> u[lo] < end <= u[hi];
+        loop assigns lo, hi;
+        loop variant hi - lo;
+    */
     while (hi - lo > 1) {     /* u[lo] <= x < u[hi], or, at the end of the domain, u[lo] < end <= u[hi] */
         size_t mid = lo + (hi - lo) / 2;
         int right = x < end ? u[mid] <= x : u[mid] < end;
@@ -48,6 +60,11 @@ size_t et_knots_span_side(const double *u, size_t nu, size_t p, double x, et_sid
         return et_knots_span(u, nu, p, x);
     }
     x = x < u[hi] ? x : u[hi];
+    /*@ loop invariant range:  p <= lo < hi <= nu - p - 1;
+        loop invariant inside: u[lo] < x <= u[hi];
+        loop assigns lo, hi;
+        loop variant hi - lo;
+    */
     while (hi - lo > 1) {     /* u[lo] < x <= u[hi] */
         size_t mid = lo + (hi - lo) / 2;
         if (u[mid] < x) {
@@ -62,6 +79,12 @@ size_t et_knots_span_side(const double *u, size_t nu, size_t p, double x, et_sid
 size_t et_knots_multiplicity(const double *u, size_t nu, double x)
 {
     size_t count = 0;
+    /*@ loop invariant place: i <= nu;
+        loop invariant range: 0 <= count <= i;
+        loop invariant none:  count == 0 <==> \forall integer k; 0 <= k < i ==> u[k] != x;
+        loop assigns i, count;
+        loop variant nu - i;
+    */
     for (size_t i = 0; i < nu; i++) {
         count += u[i] == x;
     }
@@ -72,9 +95,17 @@ size_t et_knots_multiplicity(const double *u, size_t nu, double x)
 void et_knots_greville(double *g, size_t n, const double *u, size_t nu, size_t p)
 {
     (void)nu;
+    /*@ loop invariant place: i <= n;
+        loop assigns i, g[0 .. n - 1];
+        loop variant n - i;
+    */
     for (size_t i = 0; i < n; i++) {
         size_t first = p == 0 ? i : i + 1, last = p == 0 ? i + 1 : i + p;
         double mean = 0.0, count = p == 0 ? 2.0 : (double)p;
+        /*@ loop invariant place: first <= j <= last + 1;
+            loop assigns j, mean;
+            loop variant last - j;
+        */
         for (size_t j = first; j <= last; j++) {
             mean += (u[j] - u[first]) / count;
         }

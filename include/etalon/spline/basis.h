@@ -8,6 +8,7 @@
 #ifndef ETALON_SPLINE_BASIS_H
 #define ETALON_SPLINE_BASIS_H
 #include <stddef.h>
+#include <stdint.h>
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -16,6 +17,8 @@ extern "C" {
  * SIZE_MAX if that does not fit, so that no allocation succeeds. */
 /*@ assigns \nothing;
     ensures room: \result >= 2;
+    ensures size: d > 0 ==> \result == ((p + 1)*(p + 5) <= SIZE_MAX ? (p + 1)*(p + 5) : SIZE_MAX);
+    ensures none: d == 0 ==> \result == 2*(p + 1) || \result == SIZE_MAX;
 */
 size_t et_basis_work(size_t p, size_t d);
 
@@ -46,7 +49,7 @@ void et_basis_eval(double *N, const double *u, size_t nu, size_t p, size_t span,
  * at most ((1-u)^-m - 1) p!/(p-k)! sum_j |a_kj| N_{i+j,p-k}, m = 6p + 2, barring over- and underflow: small relative to the largest
  * derivatives, not to one that vanishes. */
 /*@ requires count:  nu >= 2 * p + 2;
-    requires D:      \valid(D + (0 .. (d + 1) * (p + 1) - 1));
+    requires D:      (d + 1) * (p + 1) <= SIZE_MAX && \valid(D + (0 .. (d + 1) * (p + 1) - 1));
     requires knots:  \valid_read(u + (0 .. nu - 1));
     requires span:   p <= span <= nu - p - 2 && u[span] < u[span + 1];
     requires finite: \is_finite(x) && \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);

@@ -1,0 +1,3 @@
+/* As in logic.h. */
+#include "logic.h"
+#include <stdint.h>

@@ -1,0 +1,2 @@
+/* As in libm.h: isfinite. */
+#include "libm.h"
