@@ -11,13 +11,21 @@ const char *et_param_name(et_param_method method)
     return (unsigned)method < sizeof names / sizeof *names ? names[method] : NULL;
 }
 
+/*@ requires valid: 2 <= n && \valid(t + (0 .. n - 1));
+    assigns  t[0 .. n - 1];
+*/
 static void uniform(double *t, size_t n)
 {
+    /*@ loop invariant place: i <= n;
+        loop assigns i, t[0 .. n - 1];
+        loop variant n - i;
+    */
     for (size_t i = 0; i < n; i++)
         t[i] = (double)i / (double)(n - 1);
 }
 
 /* half = 0.5 keeps a difference of two huge coordinates finite. */
+/*@ assigns \nothing; */
 static et_vec3 difference(et_vec3 a, et_vec3 b, double half)
 {
     return (et_vec3){half * b.x - half * a.x, half * b.y - half * a.y, half * b.z - half * a.z};
@@ -122,6 +130,11 @@ et_status et_param_grid(double *s, size_t nx, double *r, size_t ny, size_t *flat
 
 void et_param_standardise(double *a, double *b, size_t n)
 {
+    /*@ loop invariant place:  i <= n;
+        loop invariant shared: \forall integer k; 0 <= k < i ==> a[k] == b[k];
+        loop assigns i, a[0 .. n - 1], b[0 .. n - 1];
+        loop variant n - i;
+    */
     for (size_t i = 0; i < n; i++)
         a[i] = b[i] = (a[i] + b[i]) / 2;
 }

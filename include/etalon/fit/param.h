@@ -21,6 +21,7 @@ typedef enum { ET_PARAM_UNIFORM = 0, ET_PARAM_CHORD, ET_PARAM_CENTRIPETAL, ET_PA
 /* "uniform", "chord", "centripetal", "exponential": the names options and reports use; null past the last. */
 /*@ assigns \result \from method;
     ensures known:   et_param_known(method) ==> valid_read_string(\result);
+    ensures named:   et_param_known(method) ==> \result != \null;
     ensures unknown: !et_param_known(method) ==> \result == \null;
 */
 const char *et_param_name(et_param_method method);
