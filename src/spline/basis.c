@@ -151,6 +151,10 @@ void et_basis_ders(double *D, size_t d, const double *u, size_t nu, size_t p, si
         loop variant p - r;
     */
     for (size_t r = 0; r <= p; r++) {
+        //@ ghost fact_product(r + 1, w, w);
+        //@ ghost fact_product(1, d + 1, w);
+        //@ assert value: r < (d + 1)*w;
+        //@ assert top:   r*w + p < w*w;
         double *prev = a, *next = a + w;
         prev[0] = 1.0;
         D[r] = only > p ? ndu[r * w + p] : r == only ? 1.0 : 0.0;
