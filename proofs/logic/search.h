@@ -50,14 +50,25 @@ et_status search_any_step(et_search *search, et_rng *rng);
   static void fact_genes(size_t n, size_t group) {}
   /@ requires row:      i < count;
      assigns  \nothing;
-     ensures  row:      0 <= i * n && i * n + n <= count * n && (i + 1) * n <= count * n; @/
+     ensures  row:      0 <= i * n && i * n + n <= count * n && (i + 1) * n <= count * n;
+     ensures  next:     0 <= (size_t)(i + 1) * n <= count * n; @/
   static void fact_slot(size_t i, size_t count, size_t n)
   {
       fact_product(0, i, n);
       fact_product(i + 1, count, n);
   }
+  /@ requires genes:    1 <= n && 1 <= group && n % group == 0 && gene < n / group;
+     assigns  \nothing;
+     ensures  gene:     0 <= gene * group && gene * group + group <= n && (gene + 1) * group <= n;
+     ensures  next:     0 <= (size_t)(gene + 1) * group <= n; @/
+  static void fact_gene(size_t gene, size_t n, size_t group)
+  {
+      fact_genes(n, group);
+      fact_slot(gene, n / group, group);
+  }
   /@ requires search:   et_search_arrays(s);
      assigns  \nothing;
+     ensures  row:      1 <= s->n && s->n * sizeof(double) <= SIZE_MAX;
      ensures  size:     0 <= s->options.population * s->n && s->options.population * s->n * sizeof(double) <= SIZE_MAX;
      ensures  trial:    4 * s->n <= s->options.population * s->n &&
                         s->options.population * s->n + s->options.population + s->n < (s->options.population + 1) * (s->n + 1); @/

@@ -79,14 +79,20 @@ static void select_better(et_search *s, const double *trial, const double *value
     /*@ loop invariant range:  0 <= i <= s->options.population;
         loop invariant better: \forall integer j; 0 <= j < i ==> \le_double(s->value[j], \at(s->value[j], Pre));
         loop invariant others: \forall integer j; i <= j < s->options.population ==>
-                               !\is_NaN(s->value[j]) && \eq_double(s->value[j], \at(s->value[j], Pre));
+                               !\is_NaN(s->value[j]) && \le_double(s->value[j], \at(s->value[j], Pre));
         loop assigns   i, s->x[0 .. s->options.population * s->n - 1], s->value[0 .. s->options.population - 1];
         loop variant   s->options.population - i; */
     for (size_t i = 0; i < s->options.population; i++) {
         if (!(value[i] <= s->value[i])) continue;
         /*@ ghost fact_search(s); */
         /*@ ghost fact_slot(i, s->options.population, s->n); */
+        /*@ assert apart: \separated(s->x + (i * s->n .. i * s->n + s->n - 1), s->value + (0 .. s->options.population - 1)); */
+        /*@ assert trial: \separated(s->x + (i * s->n .. i * s->n + s->n - 1), value + (0 .. s->options.population - 1)); */
         memcpy(s->x + i * s->n, trial + i * s->n, s->n * sizeof *trial);
+        /*@ assert kept: \forall integer j; i <= j < s->options.population ==> !\is_NaN(s->value[j]); */
+        /*@ assert least: \forall integer j; i <= j < s->options.population ==> \le_double(s->value[j], \at(s->value[j], Pre)); */
+        /*@ assert done: \forall integer j; 0 <= j < i ==> \le_double(s->value[j], \at(s->value[j], Pre)); */
+        /*@ assert lower: \le_double(value[i], \at(s->value[\at(i, Here)], Pre)); */
         s->value[i] = value[i];
     }
 }

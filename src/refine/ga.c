@@ -37,7 +37,7 @@ static void crossover(double *a, double *b, const et_search *s, double *draw, et
         loop variant   genes - g; */
     for (size_t g = 0; g < genes; g++) {
         if (!(draw[g] < s->options.swap)) continue;
-        /*@ ghost fact_slot(g, genes, group); */
+        /*@ ghost fact_gene(g, s->n, group); */
         /*@ loop invariant range: g * group <= k <= (g + 1) * group;
             loop assigns   k, a[0 .. s->n - 1], b[0 .. s->n - 1];
             loop variant   (g + 1) * group - k; */
@@ -61,7 +61,7 @@ static void mutate(double *a, const et_search *s, et_rng *rng)
     /*@ ghost fact_genes(s->n, s->options.group); */
     if (!(et_rng_uniform(rng) < s->options.mutation)) return;
     const size_t gene = et_rng_index(rng, s->n / group);
-    /*@ ghost fact_slot(gene, s->n / group, group); */
+    /*@ ghost fact_gene(gene, s->n, group); */
     const size_t k = gene * group;
     et_search_draw(a + k, s, k, group, s->options.box > 0.0 ? s->options.box : s->options.spread, rng);
 }

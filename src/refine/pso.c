@@ -84,6 +84,7 @@ static void settle(et_search *s, size_t i, const double *y, double value)
     memcpy(s->x + i * n, y, n * sizeof *y);
     s->value[i] = value;
     if (!(value < s->remembered[i])) return;
+    /*@ assert apart: \separated(s->memory + (i * n .. i * n + n - 1), s->remembered + (0 .. s->options.population - 1)); */
     memcpy(s->memory + i * n, y, n * sizeof *y);
     s->remembered[i] = value;
 }
