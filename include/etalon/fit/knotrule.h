@@ -20,6 +20,7 @@ typedef enum { ET_KNOTRULE_PIEGL = 0, ET_KNOTRULE_FAITHFUL, ET_KNOTRULE_UNIFORM,
 /* "piegl", "faithful", "uniform", "averaging"; null past the last. */
 /*@ assigns \result \from kind;
     ensures known:   et_knotrule_known(kind) ==> valid_read_string(\result);
+    ensures named:   et_knotrule_known(kind) ==> \result != \null;
     ensures unknown: !et_knotrule_known(kind) ==> \result == \null;
 */
 const char *et_knotrule_name(et_knotrule_kind kind);
@@ -35,13 +36,16 @@ const char *et_knotrule_name(et_knotrule_kind kind);
  * ET_ENOMEM: N^2 overflows. */
 /*@ requires valid:     \valid(u + (0 .. nu - 1)) && \valid_read(t + (0 .. nt - 1));
     requires separated: \separated(u + (0 .. nu - 1), t + (0 .. nt - 1));
-    requires sorted:    \forall integer i; 0 <= i < nt - 1 ==> t[i] <= t[i+1];
-    requires range:     \forall integer i; 0 <= i < nt ==> 0.0 <= t[i] <= 1.0;
+    requires sorted:    \forall integer i, j; 0 <= i <= j < nt ==> t[i] <= t[j];
+    requires range:     \forall integer i; 0 <= i < nt ==> \is_finite(t[i]) && 0.0 <= t[i] <= 1.0;
     assigns u[0 .. nu - 1];
     ensures status:     \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
     ensures invalid:    !et_knotrule_fits(nu, p, nt, kind) <==> \result == ET_EINVAL;
     ensures clamped:    \result == ET_OK ==> \forall integer i; 0 <= i <= p ==> u[i] == 0.0 && u[nu-1-i] == 1.0;
-    ensures sorted:     \result == ET_OK ==> \forall integer i; 0 <= i < nu - 1 ==> u[i] <= u[i+1];
+    ensures ordered:    \result == ET_OK ==> \forall integer i, j; 0 <= i <= j < nu ==> u[i] <= u[j];
+    ensures rising:     \result == ET_OK && kind == ET_KNOTRULE_PIEGL ==> \forall integer i, j; p < i <= j < nu - p - 1 ==> u[i] <= u[j];
+    ensures within:     \result == ET_OK && kind == ET_KNOTRULE_PIEGL ==> \forall integer i; p < i < nu - p - 1 ==>
+                            \is_finite(u[i]) && 0.0 <= u[i] <= 1.0;
     ensures unchanged:  \result != ET_OK ==> \forall integer i; 0 <= i < nu ==> u[i] == \old(u[i]);
 */
 et_status et_knotrule_make(double *u, size_t nu, size_t p, const double *t, size_t nt, et_knotrule_kind kind);
