@@ -1,6 +1,12 @@
 #include "etalon/fit/shell.h"
 #include <string.h>
 
+/*@ requires valid: \valid_read(a) && \valid_read(b);
+    assigns  \nothing;
+    ensures  truth: \result == 0 || \result == 1;
+    ensures  same:  \result == 1 <==> a->p == b->p && a->q == b->q && a->nu == b->nu && a->nv == b->nv &&
+                                       (a->weights == \null <==> b->weights == \null);
+*/
 static int same_shape(const et_surface *a, const et_surface *b)
 {
     return a->p == b->p && a->q == b->q && a->nu == b->nu && a->nv == b->nv && (a->weights == NULL) == (b->weights == NULL);
@@ -14,11 +20,24 @@ int et_shell_valid(const et_shell *shell)
 }
 
 /* Compared as bits: 0 and -0 are different, so that equal borders give equal bits wherever they are used. */
+/*@ requires valid: \valid_read(a + (0 .. n - 1)) && \valid_read(b + (0 .. n - 1)) && 8*n <= SIZE_MAX;
+    assigns  \nothing;
+    ensures  truth: \result == 0 || \result == 1;
+    ensures  equal: \result == 1 ==> \forall integer i; 0 <= i < n && \is_finite(a[i]) ==> \is_finite(b[i]) && a[i] == b[i];
+*/
 static int same_bits(const double *a, const double *b, size_t n)
 {
     return memcmp(a, b, n * sizeof *a) == 0;
 }
 
+/*@ requires valid:   \valid_read(a) && \valid_read(b) && \valid_read(a->points + at) && \valid_read(b->points + at);
+    requires weights: a->weights == \null || (\valid_read(a->weights + at) && \valid_read(b->weights + at) && \is_finite(a->weights[at]));
+    requires finite:  \is_finite(a->points[at].x) && \is_finite(a->points[at].y) && \is_finite(a->points[at].z);
+    assigns  \nothing;
+    ensures  truth:   \result == 0 || \result == 1;
+    ensures  equal:   \result == 1 ==> a->points[at].x == b->points[at].x && a->points[at].y == b->points[at].y &&
+                          a->points[at].z == b->points[at].z && (a->weights == \null || a->weights[at] == b->weights[at]);
+*/
 static int same_node(const et_surface *a, const et_surface *b, size_t at)
 {
     const et_vec3 s = a->points[at], t = b->points[at];
@@ -41,12 +60,25 @@ int et_shell_glued(const et_shell *shell)
 }
 
 /* Clamped, and no end p + 2 times: only then does the curve end in the control polygon's ends. */
+/*@ requires count:   p < n && n + p + 1 <= SIZE_MAX && 2*p + 2 <= SIZE_MAX;
+    requires valid:   \valid_read(u + (0 .. n + p));
+    requires domain:  et_surface_domain((double *)u, n + p, p);
+    assigns  \nothing;
+    ensures  truth:   \result == 0 || \result == 1;
+    ensures  ends:    \result == 1 ==> u[0] == u[p] < u[p + 1] && u[n - 1] < u[n] == u[n + p];
+*/
 static int ends_meet(const double *u, size_t n, size_t p)
 {
     return et_knots_clamped(u, n + p + 1, p) && u[p] < u[p + 1] && u[n - 1] < u[n];
 }
 
 /* Then a border curve is that of the border's control points alone: glued control nets are glued surfaces. */
+/*@ requires valid:   \valid_read(s) && et_surface_ok((et_surface *)s) && 2*s->nu <= SIZE_MAX && 2*s->nv <= SIZE_MAX;
+    assigns  \nothing;
+    ensures  truth:   \result == 0 || \result == 1;
+    ensures  u:       \result == 1 ==> s->u[0] == s->u[s->p] < s->u[s->p + 1] && s->u[s->nu - 1] < s->u[s->nu] == s->u[s->nu + s->p];
+    ensures  v:       \result == 1 ==> s->v[0] == s->v[s->q] < s->v[s->q + 1] && s->v[s->nv - 1] < s->v[s->nv] == s->v[s->nv + s->q];
+*/
 static int clamped(const et_surface *s)
 {
     return ends_meet(s->u, s->nu, s->p) && ends_meet(s->v, s->nv, s->q);

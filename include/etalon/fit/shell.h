@@ -22,6 +22,18 @@ typedef struct { et_surface view[2]; } et_shell;
                                                               (s->view[w].weights == \null ||
                                                                \valid(s->view[w].weights + (0 .. s->view[w].nu * s->view[w].nv - 1))));
     predicate et_shell_readable(et_shell *s) = et_surface_readable(&s->view[0]) && et_surface_readable(&s->view[1]);
+    predicate et_shell_ok(et_shell *s) =
+        et_shell_same(s) && et_net_ok(s->view[0].nu, s->view[0].nv) && et_surface_ok(&s->view[0]) && et_surface_ok(&s->view[1]);
+    predicate et_shell_knots(et_shell *s) =
+        (\forall integer i; 0 <= i <= s->view[0].nu + s->view[0].p ==> s->view[0].u[i] == s->view[1].u[i]) &&
+        (\forall integer i; 0 <= i <= s->view[0].nv + s->view[0].q ==> s->view[0].v[i] == s->view[1].v[i]);
+    predicate et_shell_node(et_shell *s, integer at) =
+        s->view[0].points[at].x == s->view[1].points[at].x && s->view[0].points[at].y == s->view[1].points[at].y &&
+        s->view[0].points[at].z == s->view[1].points[at].z &&
+        (s->view[0].weights == \null || s->view[0].weights[at] == s->view[1].weights[at]);
+    predicate et_shell_border(et_shell *s) =
+        \forall integer i, j; et_net_inside(s->view[0].nu, s->view[0].nv, i, j) && et_net_border(s->view[0].nu, s->view[0].nv, i, j) ==>
+            et_shell_node(s, i*s->view[0].nv + j);
 */
 
 /* Both views valid (et_surface_valid), of one shape, and their control net a double net (sides at least 2).  1 or 0.
@@ -31,6 +43,7 @@ typedef struct { et_surface view[2]; } et_shell;
     ensures boolean: \result == 0 || \result == 1;
     ensures same:    \result == 1 ==> et_shell_same((et_shell *)shell);
     ensures net:     \result == 1 ==> et_net_ok(shell->view[0].nu, shell->view[0].nv);
+    ensures ok:      \result == 1 ==> et_shell_ok((et_shell *)shell);
 */
 int et_shell_valid(const et_shell *shell);
 
@@ -41,6 +54,9 @@ int et_shell_valid(const et_shell *shell);
     ensures boolean: \result == 0 || \result == 1;
     ensures same:    \result == 1 ==> et_shell_same((et_shell *)shell);
     ensures net:     \result == 1 ==> et_net_ok(shell->view[0].nu, shell->view[0].nv);
+    ensures ok:      \result == 1 ==> et_shell_ok((et_shell *)shell);
+    ensures knots:   \result == 1 ==> et_shell_knots((et_shell *)shell);
+    ensures border:  \result == 1 ==> et_shell_border((et_shell *)shell);
 */
 int et_shell_glued(const et_shell *shell);
 
@@ -51,8 +67,13 @@ int et_shell_glued(const et_shell *shell);
     ensures boolean: \result == 0 || \result == 1;
     ensures same:    \result == 1 ==> et_shell_same((et_shell *)shell);
     ensures net:     \result == 1 ==> et_net_ok(shell->view[0].nu, shell->view[0].nv);
+    ensures glued:   \result == 1 ==> et_shell_ok((et_shell *)shell) && et_shell_knots((et_shell *)shell) && et_shell_border((et_shell *)shell);
     ensures first:   \result == 1 ==> shell->view[0].u[0] == shell->view[0].u[shell->view[0].p] < shell->view[0].u[shell->view[0].p + 1] &&
                                        shell->view[0].v[0] == shell->view[0].v[shell->view[0].q] < shell->view[0].v[shell->view[0].q + 1];
+    ensures last:    \result == 1 ==> shell->view[0].u[shell->view[0].nu - 1] < shell->view[0].u[shell->view[0].nu] ==
+                                           shell->view[0].u[shell->view[0].nu + shell->view[0].p] &&
+                                       shell->view[0].v[shell->view[0].nv - 1] < shell->view[0].v[shell->view[0].nv] ==
+                                           shell->view[0].v[shell->view[0].nv + shell->view[0].q];
 */
 int et_shell_closed(const et_shell *shell);
 
@@ -72,6 +93,7 @@ et_doublenet et_shell_net(const et_shell *shell);
     assigns *shell;
     ensures status:    \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
     ensures invalid:   p < 1 || q < 1 || p >= control.nx || q >= control.ny ==> \result == ET_EINVAL;
+    ensures net:       !et_net_ok(control.nx, control.ny) ==> \result == ET_EINVAL;
     ensures stored:    \result == ET_OK ==> et_shell_stored(shell) && shell->view[0].p == p && shell->view[0].q == q
                            && shell->view[0].nu == control.nx && shell->view[0].nv == control.ny;
     ensures rational:  \result == ET_OK ==> (rational == 0 <==> shell->view[0].weights == \null);
