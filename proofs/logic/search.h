@@ -1,5 +1,5 @@
-/* What the population searches call, as in libm.h: isfinite, isnan, memcpy of doubles (Frama-C's own contracts copy characters, which the memory model
- * does not see as doubles).  A generator is here a struct that holds no double and no pointer. */
+/* What the population searches call, as in libm.h: isfinite, isnan, memcpy of doubles (Frama-C's own contract copies characters, which the memory
+ * model does not see as doubles).  A generator is here a struct that holds no double and no pointer. */
 #ifndef SEARCH_H
 #define SEARCH_H
 #include "libm.h"

@@ -68,7 +68,8 @@ static void mutate(double *a, const et_search *s, et_rng *rng)
 
 /*@ requires search: et_search_started(s) && parent < s->options.population;
     requires child:  \valid_read(child + (0 .. s->n - 1));
-    requires apart:  \separated(child + (0 .. s->n - 1), s, s->x + (0 .. s->options.population * s->n - 1), s->value + (0 .. s->options.population - 1));
+    requires apart:  \separated(child + (0 .. s->n - 1), s, s->x + (0 .. s->options.population * s->n - 1),
+                                s->value + (0 .. s->options.population - 1));
     assigns  s->x[0 .. s->options.population * s->n - 1], s->value[parent];
     ensures  better: \le_double(s->value[parent], \old(s->value[parent]));
 */
