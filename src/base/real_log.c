@@ -3,6 +3,7 @@
 
 /* ln(1 + z) = z + z^2 (z/3 - 1/2) - z^4/4 + ... + z^11/11, the first two terms in double-double; |z| <= 2^-7.  Relative errors: tail 5.2u of z^3/4:
  * 2^-73.6; its sum with q.lo 2^-77; series cut off 2^-80.6; double-double 2^-103. */
+/*@ assigns \nothing; */
 static et_dd log_near_one(et_dd z)
 {
     const double x = z.hi;

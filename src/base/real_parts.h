@@ -26,7 +26,7 @@ et_dd real_exp_fast(int *scale, double x, double low);
 et_dd real_log_fast(double x);
 /* sin(x + shift pi/2) within *error, |x| <= REAL_TRIG_RANGE (real_trig.c). */
 /*@ requires error: \valid(error);
-    requires range: \is_finite(x) && -REAL_TRIG_RANGE <= x <= REAL_TRIG_RANGE;
+    requires small: \is_finite(x) && -REAL_TRIG_RANGE <= x <= REAL_TRIG_RANGE;
     assigns  *error;
 */
 et_dd real_trig_fast(double *error, double x, unsigned shift);
@@ -75,9 +75,9 @@ static inline double real_of_bits(uint64_t b)
 }
 
 /* The integer nearest to x, |x| < 2^31: adding 1.5 2^52 leaves no bit below the unit. */
-/*@ requires range: \is_finite(x) && -0x1p30 <= x <= 0x1p30;
+/*@ requires small: \is_finite(x) && -0x1p30 <= x <= 0x1p30;
     assigns  \nothing;
-    ensures  range: \is_finite(\result) && -0x1p30 <= \result <= 0x1p30;
+    ensures  small: \is_finite(\result) && -0x1p30 <= \result <= 0x1p30;
 */
 static inline double real_nearest(double x)
 {

@@ -3,6 +3,7 @@
 
 /* x - k pi/512 for |k| < 2^19.4, in normal form.  sine_step1 has 33 bits, sine_step2 32: k sine_step1 and k sine_step2 are exact, x - k sine_step1 is a multiple of 2^-61
  * below 2^-8 (or k = 0): exact.  k sine_step3 is below 2^-53.5: it, its own error times k and the difference are off by 2^-105.3 together. */
+/*@ assigns \nothing; */
 static et_dd reduced(double x, double k)
 {
     const et_dd r = dd_two_sum(x - k * sine_step1, -(k * sine_step2));
@@ -20,6 +21,9 @@ static et_dd reduced(double x, double k)
  * S = 0.  Everything is relative to r, and (sin r - r) / r below 2^-19.2: r 2^-69.
  *
  * r itself is off by 2^-105.3.  The rounding of lo -+ E adds S 2^-70.7: below E = 1.5 2^-67 S + 2^-68 r + 2^-104. */
+/*@ requires valid: \valid(error) && \valid_read(s + (0 .. 1)) && \valid_read(c + (0 .. 1));
+    assigns  *error;
+*/
 static et_dd turned(double *error, const double s[2], const double c[2], double sign_c, et_dd r)
 {
     const double x = r.hi, xx = x * x, a = dd_upper(x), b = (x - a) + r.lo;

@@ -73,7 +73,7 @@ void et_rng_fill(double *x, size_t n, et_rng *rng);
 /*@ requires rng:   \valid(rng);
     requires n:     1 <= n;
     assigns  *rng;
-    ensures  range: 0 <= \result < n;
+    ensures  below: 0 <= \result < n;
 */
 size_t et_rng_index(et_rng *rng, size_t n);
 

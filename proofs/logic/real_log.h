@@ -1,0 +1,2 @@
+/* As in libm.h: what the logarithm calls. */
+#include "libm.h"

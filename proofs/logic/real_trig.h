@@ -1,0 +1,2 @@
+/* As in libm.h: what sine and cosine call. */
+#include "libm.h"

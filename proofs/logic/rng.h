@@ -1,0 +1,2 @@
+/* As in libm.h: sqrt. */
+#include "libm.h"

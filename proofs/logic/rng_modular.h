@@ -1,0 +1,2 @@
+/* As in rng.h. */
+#include "rng.h"
