@@ -1,5 +1,5 @@
-/* The C library's functions on doubles, as IEEE 754 and C99, annex F, have them; errno, which nobody reads, is left out of the frames.  (Frama-C's own
- * contract of sqrt says that the rounded root is the exact one.) */
+/* The C library's functions on doubles, as IEEE 754 and C99, annex F, have them; errno, which nobody reads, is left out of the frames.
+ * (Frama-C's own contract of sqrt says that the rounded root is the exact one.) */
 #ifndef LIBM_H
 #define LIBM_H
 #include <math.h>
