@@ -210,7 +210,8 @@ verdict prop_conform_run_undecided(gen *g)
 {
     static const et_request_op ops[] = { ET_OP_PARAMETERS_GRID };
     static const char vector[] = "{\"id\": \"undecided\", \"category\": \"plain\", \"validity\": \"valid\", \"request\": "
-        "\"chord 4 4 16 0 0 0 0 0 0 -7 0 0 0 0 0 3 0 0 3 0 0 0x1p+53 0 0 0 0 0 3 4 0 4 1 0 0x1.bffffffffffffp+55 0 0 0 1 0 3 -3 7 4 1 0 0x1.bffffffffffffp+55 1 0 0 2 0\", "
+        "\"chord 4 4 16 0 0 0 0 0 0 -7 0 0 0 0 0 3 0 0 3 0 0 0x1p+53 0 0 0 0 0 3 4 0 4 1 0 0x1.bffffffffffffp+55 0 0 0 1 0 3 -3 7 4 1 0 "
+        "0x1.bffffffffffffp+55 1 0 0 2 0\", "
         "\"want\": [\"0\", \"0x1p-2\", \"0x1p-1\", \"1\", \"0\", \"0x1p-2\", \"0x1p-1\", \"1\"], \"bound\": [\"0\", \"0x1p-10\", "
         "\"0x1p-10\", \"0\", \"0\", \"0x1p-10\", \"0x1p-10\", \"0\"], \"condition\": \"0x1p+0\", \"issue\": \"https://a\"}";
     et_peer_table table = { et_answer_hello(0), nothing_right, NULL };
