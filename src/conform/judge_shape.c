@@ -101,10 +101,9 @@ static et_status compare_shapes(et_judgement *j, const et_request *request, cons
     et_reply aligned = { ET_REPLY_OK, 0, NULL, "" };
     judge_shape f;
     judge_editing e;
-    et_status status = judge_edit_of(&f, &e, request);
 
-    if (status == ET_OK)
-        status = match_weights(got, want, 2 * judge_edit_k(&f, &e) * ET_UNIT);
+    judge_edit_of(&f, &e, request);
+    et_status status = match_weights(got, want, 2 * judge_edit_k(&f, &e) * ET_UNIT);
     if (status == ET_EFORMAT) {
         j->ratio = INFINITY;
         judge_say(j, ET_VERDICT_WRONG, "weights of a polynomial that are not all equal");
@@ -167,13 +166,11 @@ typedef struct {
     double allowed, slack;                /* tol + K u max |c|, and K u max |c| */
 } removal;
 
-static et_status removal_of(removal *r, const et_request *request)
+static void removal_of(removal *r, const et_request *request)
 {
-    const et_status status = judge_edit_of(&r->f, &r->e, request);
     double most = 0;
 
-    if (status != ET_OK)
-        return status;
+    judge_edit_of(&r->f, &r->e, request);
     const int v = !r->f.curve && r->e.along == ET_ALONG_V;
     r->u = r->f.curve ? r->f.c.u : v ? r->f.s.v : r->f.s.u;
     r->p = r->f.curve ? r->f.c.p : v ? r->f.s.q : r->f.s.p;
@@ -184,7 +181,6 @@ static et_status removal_of(removal *r, const et_request *request)
             most = fmax(most, fabs(judge_coordinate(&judge_shape_points(&r->f)[i], c)));
     r->slack = judge_edit_k(&r->f, &r->e) * ET_UNIT * most;
     r->allowed = r->e.tolerance + r->slack;
-    return ET_OK;
 }
 
 /* t and what knots are left; 1 if all is as it must be. */
@@ -399,16 +395,16 @@ et_status judge_removal(et_judgement *j, const et_request *request, const et_tru
 {
     removal r = { .t = 0 };
     judge_shape got;
-    et_status status = removal_of(&r, request);
 
+    removal_of(&r, request);
     j->verdict = ET_VERDICT_CORRECTLY_ROUNDED;
-    if (status != ET_OK || equals_want(truth, reply))
-        return status;
+    if (equals_want(truth, reply))
+        return ET_OK;
     const double t = reply->count > 0 ? reply->x[0] : -1;
     if (!(t >= 0 && t <= 0x1p31 && floor(t) == t))
         return no_shape(j, reply, ET_EFORMAT);
     r.t = (size_t)t;
-    status = read_shape(&got, reply, 1, r.f.curve);
+    et_status status = read_shape(&got, reply, 1, r.f.curve);
     if (status != ET_OK)
         return no_shape(j, reply, status);
     double *moved = et_size_array(judge_shape_size(&r.f), sizeof *moved);
@@ -462,17 +458,12 @@ static et_status distance_to(double *distance, const et_surface *s, const double
 et_status judge_distance_at(double *distance, const et_request *request, const double *x)
 {
     const double at[2] = { x[0], request->op == ET_OP_CURVE_NEAREST ? 0 : x[1] };
-    et_curve c;
-    et_surface s;
-    et_status status;
+    const et_curve c = judge_curve_of(request);
+    et_surface s = judge_surface_of(request, 0);
 
-    if (request->op == ET_OP_SURFACE_NEAREST) {
-        status = et_request_surface(&s, request, 0);
-        return status == ET_OK ? distance_to(distance, &s, at, (const et_vec3 *)request->arg[6].x) : status;
-    }
-    status = et_request_curve(&c, request, 0);
-    if (status == ET_OK)
-        status = ruled(&s, &c);
+    if (request->op == ET_OP_SURFACE_NEAREST)
+        return distance_to(distance, &s, at, (const et_vec3 *)request->arg[6].x);
+    et_status status = ruled(&s, &c);
     if (status != ET_OK)
         return status;
     status = distance_to(distance, &s, at, (const et_vec3 *)request->arg[4].x);

@@ -162,12 +162,18 @@ int __wrap_posix_spawnattr_setsigmask(spawn_attributes *a, const sigset_t *set);
 
 char *__wrap_strdup(const char *text)
 {
-    return refused() ? NULL : hold(__real_strdup(text));
+    if (!refused())
+        return hold(__real_strdup(text));
+    errno = ENOMEM;
+    return NULL;
 }
 
 locale_t __wrap_newlocale(int mask, const char *name, locale_t base)
 {
-    return refused() ? (locale_t)0 : __real_newlocale(mask, name, base);
+    if (!refused())
+        return __real_newlocale(mask, name, base);
+    errno = ENOMEM;
+    return (locale_t)0;
 }
 
 int __wrap_posix_spawn_file_actions_init(spawn_files *a)
