@@ -229,8 +229,8 @@ static et_status sample(double *most_of_all, const et_surface s[2], double x, do
     return ET_OK;
 }
 
-/* All samples of both borders that run along one direction, at the knots of both surfaces in their order.  Both end at 1, and of equal knots the first
- * surface's comes first: the other's are the last to end. */
+/* All samples of both borders that run along one direction, at the knots of both surfaces in their order.  Both end at 1, and of equal knots the
+ * first surface's comes first: the other's are the last to end. */
 static et_status borders(double *most_of_all, const et_surface s[2], int v, size_t samples, double K)
 {
     const double *u[2] = { v ? s[0].v + s[0].q : s[0].u + s[0].p, v ? s[1].v + s[1].q : s[1].u + s[1].p };
