@@ -210,6 +210,8 @@ def unit_keys(o, program, units, others, phase):
     for p, t in text.items():
         for kind, name in re.findall(r'^verdict (prop|gold|true)_([a-z0-9_]+)\(', t, re.M):
             where[kind, name] = p
+    # What tests share is in files that hold none.
+    common = digest(common, *[read(p) for p in sorted(text) if p not in where.values()])
     objects = {p: digest(read(p)) for p in text}
     tests = digest(*[objects[p] for p in sorted(objects)])
     keys = {}
