@@ -159,17 +159,11 @@ json_t *conform_json(const conform_result *r)
 
 et_status conform_read_baseline(json_t **known, const char *path, et_message *message)
 {
-    json_error_t error;
-    FILE *file = fopen(path, "rb");
-    json_t *all = file ? json_loadf(file, JSON_REJECT_DUPLICATES, &error) : NULL;
-    const int failed = !file || ferror(file);
+    json_t *all;
+    const et_status status = cli_json_load(&all, path, message);
 
-    if (file)
-        fclose(file);
-    if (failed)
-        return et_status_fail(message, ET_EIO, "cannot read the baseline %s", path);
-    if (!all)
-        return et_status_fail(message, ET_EFORMAT, "%s:%d: %s", path, error.line, error.text);
+    if (status != ET_OK)
+        return status;
     json_t *list = json_object_get(all, "known");
     int right = json_is_array(list);
     for (size_t k = 0; right && k < json_array_size(list); k++)

@@ -183,8 +183,14 @@ et_status cli_json_load(json_t **document, const char *path, et_message *message
 
     if (!stream)
         return et_status_fail(message, errno == ENOMEM ? ET_ENOMEM : ET_EIO, "cannot read %s: %s", path, strerror(errno));
+    errno = 0;
     *document = json_loadf(stream, JSON_REJECT_DUPLICATES, &error);
+    const int reason = errno, failed = ferror(stream);
     fclose(stream);
+    if (failed) {                        /* Jansson takes it for the end */
+        json_decref(*document);
+        return et_status_fail(message, ET_EIO, "cannot read %s: %s", path, reason ? strerror(reason) : "read error");
+    }
     return *document ? ET_OK : et_status_fail(message, ET_EFORMAT, "%s:%d: %s", path, error.line, error.text);
 }
 

@@ -2,7 +2,8 @@
  *
  * ET_FAIL_ALLOC=K  the K-th allocation returns null; ET_FAIL_LASTING=1: and all after it
  * ET_FAIL_WRITE=K  the K-th call of write, fsync, rename, open for writing, ftruncate and the like fails as on a full disk
- * ET_FAIL_TELL=F   on exit both counts are written to the file F: `allocations writes`
+ * ET_FAIL_TELL=F   on exit both counts are written to the file F: `allocations writes`; then, a line each, which of them were the first from their place in
+ *                  the program: `a K` and `w K`, where a place is the chain of the program's calls that led there
  *
  * Counted are the calls made from the program itself and from the C library on its behalf, but not those of libraries that are known to end the
  * program when memory is short (FLINT, MPFR, GMP) nor those of the loader.  Writes to standard error do not count: messages must get through.
@@ -10,6 +11,7 @@
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
+#include <execinfo.h>
 #include <fcntl.h>
 #include <link.h>
 #include <stdarg.h>
@@ -26,12 +28,14 @@ extern void *__libc_calloc(size_t, size_t);
 extern void *__libc_realloc(void *, size_t);
 extern void *__libc_memalign(size_t, size_t);
 
-enum { RANGES = 16 };
-static struct { uintptr_t from, to; } range[RANGES];
+enum { RANGES = 16, PLACES = 4096, DEPTH = 24 };
+static struct { uintptr_t from, to; int program; } range[RANGES];
 static int ranges;
 static int ready;
 static unsigned long allocations, writes, fail_alloc, fail_write;
 static int lasting;
+static struct { uintptr_t chain; unsigned long first; char kind; } place[PLACES];
+static const char *tell_to;
 
 static int counts_as_ours(const char *name)
 {
@@ -45,6 +49,7 @@ static int note(struct dl_phdr_info *info, size_t size, void *data)
         if (info->dlpi_phdr[k].p_type == PT_LOAD && (info->dlpi_phdr[k].p_flags & PF_X)) {
             range[ranges].from = info->dlpi_addr + info->dlpi_phdr[k].p_vaddr;
             range[ranges].to = range[ranges].from + info->dlpi_phdr[k].p_memsz;
+            range[ranges].program = info->dlpi_name[0] == '\0';
             ranges++;
         }
     return 0;
@@ -66,26 +71,58 @@ void et_fail_off(void)
 
 static void tell(void)
 {
-    const char *path = getenv("ET_FAIL_TELL");
     const unsigned long a = allocations, w = writes;
     FILE *f;
 
     ready = 0;
-    f = path ? fopen(path, "w") : NULL;
+    f = tell_to ? fopen(tell_to, "w") : NULL;
     if (f) {
         fprintf(f, "%lu %lu\n", a, w);
+        for (int k = 0; k < PLACES; k++)
+            if (place[k].kind)
+                fprintf(f, "%c %lu\n", place[k].kind, place[k].first);
         fclose(f);
     }
 }
 
 __attribute__((constructor)) static void begin(void)
 {
+    static const char *const names[] = { "ET_FAIL_ALLOC", "ET_FAIL_WRITE", "ET_FAIL_LASTING", "ET_FAIL_TELL" };
+    void *first[1];
+
     dl_iterate_phdr(note, NULL);
+    tell_to = getenv("ET_FAIL_TELL") ? strdup(getenv("ET_FAIL_TELL")) : NULL;
+    (void)backtrace(first, 1);           /* the first call allocates */
     fail_alloc = setting("ET_FAIL_ALLOC");
     fail_write = setting("ET_FAIL_WRITE");
     lasting = setting("ET_FAIL_LASTING") != 0;
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        (void)unsetenv(names[k]);        /* what the program starts is left alone */
     atexit(tell);
     ready = 1;
+}
+
+/* A loop over the same calls is one place; with OMP_NUM_THREADS=1, as counts must be, nobody else is here. */
+static void note_place(char kind, unsigned long n)
+{
+    void *caller[DEPTH];
+    uintptr_t chain = (uintptr_t)kind;
+
+    ready = 0;
+    for (int k = 0, depth = backtrace(caller, DEPTH); k < depth; k++)
+        for (int r = 0; r < ranges; r++)
+            if (range[r].program && range[r].from <= (uintptr_t)caller[k] && (uintptr_t)caller[k] < range[r].to)
+                chain = (chain ^ (uintptr_t)caller[k]) * (uintptr_t)0x9e3779b97f4a7c15u;
+    ready = 1;
+    for (size_t tried = 0, k = chain >> 20; tried < PLACES; tried++, k++)
+        if (!place[k % PLACES].kind || place[k % PLACES].chain == chain) {
+            if (!place[k % PLACES].kind) {
+                place[k % PLACES].kind = kind;
+                place[k % PLACES].chain = chain;
+                place[k % PLACES].first = n;
+            }
+            return;
+        }
 }
 
 static int falls(unsigned long *count, unsigned long at, const void *caller)
@@ -95,6 +132,8 @@ static int falls(unsigned long *count, unsigned long at, const void *caller)
     for (int k = 0; k < ranges; k++)
         if (range[k].from <= (uintptr_t)caller && (uintptr_t)caller < range[k].to) {
             const unsigned long n = __atomic_add_fetch(count, 1, __ATOMIC_RELAXED);
+            if (tell_to)
+                note_place(count == &writes ? 'w' : 'a', n);
             return at != 0 && (n == at || (lasting && n > at));
         }
     return 0;
