@@ -2,7 +2,7 @@
 # faults.sh BUILD ETALON [MOST]: every command with every allocation failing in turn, every call that writes failing in turn, and files that may not grow.
 # After each: no crash, a documented exit code and a message, the earlier file as it was (or, where the failure did no harm, the right file), nothing left
 # beside it.  A place is a chain of calls in the program: its first allocation or write fails.  With more than MOST (default 120) places in a command, so many
-# are taken at even distances; MOST 0: every allocation and every write.
+# are taken at even distances; MOST 0: every allocation and every write.  ONLY: a pattern of the names of commands.
 set -u
 build=$(cd "$1" && pwd) etalon=$(cd "$(dirname "$2")" && pwd)/$(basename "$2") most=${3:-120} lastings=${LASTINGS:-0 1}
 here=$(cd "$(dirname "$0")" && pwd)
@@ -47,13 +47,14 @@ places() {
 
 # command NAME 'OUTPUTS' ARGUMENTS...; $codes: what it may exit with besides 0 and the fault's own code.
 command() {
+    case $1 in ${ONLY:-*}) ;; *) return ;; esac
     name=$1 outputs=$2 why=
     shift 2
     mkdir -p reference
     keep=$(printf './%s\n' err count now; find . ! -type d; for f in $outputs; do mkdir -p "reference/$(dirname "$f")" "$(dirname "$f")" && echo "./$f"; done)
     ET_FAIL_TELL=$dir/count under "$etalon" "$@" > /dev/null 2> err < input || { failed=$((failed + 1)); echo "FAIL faults $name: it does not even run: $(cat err)"; return; }
     for f in $outputs; do cp "$f" "reference/$f"; done
-    read -r allocations writes < count
+    read -r allocations writes reads < count
     for k in $(places "$allocations" a); do
         for lasting in $lastings; do
             old
@@ -68,6 +69,12 @@ command() {
         code=$?
         after "write $k" 0 4 $codes
     done
+    for k in $(places "$reads" r); do
+        old
+        ET_FAIL_READ=$k under "$etalon" "$@" > /dev/null 2> err < input
+        code=$?
+        after "read $k" 4 $codes
+    done
     size=$(cd reference && cat /dev/null $outputs | wc -c)
     for k in $(places $((size / 512)) | head -n 40); do           # at least a block: messages go to a file, too
         old
@@ -77,12 +84,39 @@ command() {
     done
     if [ -z "$why" ]; then
         passed=$((passed + 1))
-        echo "ok faults $name: $allocations allocations, $writes writes, $size bytes"
+        echo "ok faults $name: $allocations allocations, $writes writes, $reads reads, $size bytes"
     else
         failed=$((failed + 1))
         echo "FAIL faults $name:$why"
     fi
     rm -rf reference
+}
+
+# interrupted NAME 'OUTPUTS' ARGUMENTS...: the first signal asks, but the disk takes its time; the second ends the command at once.
+interrupted() {
+    case $1 in ${ONLY:-*}) ;; *) return ;; esac
+    name=$1 outputs=$2 why=
+    shift 2
+    keep=$(printf './%s\n' err count now; find . ! -type d; for f in $outputs; do mkdir -p "$(dirname "$f")" && echo "./$f"; done)
+    old
+    env LD_PRELOAD="$build/fail.so" ET_FAIL_SLOW=3 "$etalon" "$@" > /dev/null 2> err < input & pid=$!
+    sleep 1
+    kill -INT $pid
+    sleep 0.6
+    kill -TERM $pid
+    wait $pid
+    code=$?
+    [ "$code" -eq 130 ] && grep -q 'nothing was written' err || bad "exit code $code ($(head -c 200 err))"
+    for f in $outputs; do [ "$(cat "$f")" = old ] || bad "$f is another file"; done
+    beside=$(find . -path ./reference -prune -o ! -type d -print | grep -vxF "$keep")
+    [ -z "$beside" ] || { bad "left behind: $beside"; rm -rf $beside; }
+    if [ -z "$why" ]; then
+        passed=$((passed + 1))
+        echo "ok faults $name: interrupted twice"
+    else
+        failed=$((failed + 1))
+        echo "FAIL faults $name, interrupted twice:$why"
+    fi
 }
 
 echo 0.25 0.75 > uv
@@ -130,5 +164,22 @@ A
 chmod +x adapter
 codes=1                                  # what the adapter was not told it has not answered
 command conform 'found.xml base' conform --adapter ./adapter --ops span,multiplicity --junit found.xml --baseline-write base --json
+cat > ends <<A
+#!/bin/sh
+echo \$\$ > begun
+unset LD_PRELOAD
+exec "$etalon" serve
+A
+chmod +x ends
+: > begun
+interrupted conform found.xml conform --adapter ./ends --ops span --junit found.xml
+sleep 0.2
+if ps -o stat= -p "$(cat begun || echo 0)" | grep -qv '^Z'; then failed=$((failed + 1)); echo "FAIL faults the adapter of an interrupted run is left"; else passed=$((passed + 1)); fi
+interrupted reconstruct "$made" reconstruct small.xyz --grid 6x6 --iterations 500 --control 5x5 --refine none --no-pictures -o made
+codes=
+for f in ply ply-ascii stl obj pcd; do
+    python3 "$here/faults/cloud.py" $f small.xyz > "$f.${f%-*}"
+    command "train-$f" trained.json train "$f.${f%-*}" --grid 4x4 --iterations 100 -o trained.json
+done
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

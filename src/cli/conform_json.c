@@ -14,14 +14,6 @@ static json_t *clean_string(const char *text)
     return text ? json_string(conform_clean(clean, text)) : json_null();
 }
 
-/* A line of numbers, which may be long. */
-static json_t *line(const char *text)
-{
-    json_t *s = text ? json_string(text) : json_null();
-
-    return s ? s : clean_string(text);
-}
-
 static json_t *real(double x)
 {
     return isfinite(x) ? json_real(x) : json_null();
@@ -97,13 +89,13 @@ static json_t *finding(const conform_result *r, const et_conform_finding *f)
     if (!o)
         return NULL;
     set_judgement(o, f->shrunk ? &f->shrunk_judgement : &f->judgement);
-    json_object_set_new(o, "request", line(f->request));
-    json_object_set_new(o, "reply", line(f->reply));
-    json_object_set_new(o, "shrunk", line(f->shrunk));
-    json_object_set_new(o, "shrunk_reply", line(f->shrunk_reply));
-    json_object_set_new(o, "vector", line(f->vector));
-    json_object_set_new(o, "issue", line(f->issue));
-    json_object_set_new(o, "relation", line(f->relation));
+    json_object_set_new(o, "request", cli_json_text(f->request));
+    json_object_set_new(o, "reply", cli_json_text(f->reply));
+    json_object_set_new(o, "shrunk", cli_json_text(f->shrunk));
+    json_object_set_new(o, "shrunk_reply", cli_json_text(f->shrunk_reply));
+    json_object_set_new(o, "vector", cli_json_text(f->vector));
+    json_object_set_new(o, "issue", cli_json_text(f->issue));
+    json_object_set_new(o, "relation", cli_json_text(f->relation));
     return o;
 }
 

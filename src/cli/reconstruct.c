@@ -198,7 +198,7 @@ static et_status publish(const char *directory, et_message *message)
     et_status status;
 
     if (lock < 0)
-        return et_status_fail(message, ET_EIO, "cannot lock %s: %s", path, strerror(errno));
+        return cli_stopped() ? cli_check(message) : et_status_fail(message, ET_EIO, "cannot lock %s: %s", path, strerror(errno));
     status = move_all(directory, message);
     unlink(path);
     close(lock);

@@ -27,8 +27,8 @@ json_t *cli_json_summary(const cli_reconstruction *r)
     }
     for (size_t k = 0; k < r->nrefined; k++)
         cli_json_append(&refine, cli_json_refined(&r->refined[k]));
-    object = json_pack("{s:s, s:i, s:{s:s, s:I}, s:o, s:{s:o, s:o}, s:o, s:o, s:o, s:{s:s, s:f, s:f, s:b}, s:{s:I, s:I, s:f, s:f}}", "format",
-                       "etalon-summary", "version", 1, "cloud", "file", r->cloud, "points", (json_int_t)r->points, "seed",
+    object = json_pack("{s:s, s:i, s:{s:o, s:I}, s:o, s:{s:o, s:o}, s:o, s:o, s:o, s:{s:s, s:f, s:f, s:b}, s:{s:I, s:I, s:f, s:f}}", "format",
+                       "etalon-summary", "version", 1, "cloud", "file", cli_json_text(r->cloud), "points", (json_int_t)r->points, "seed",
                        json_sprintf("%llu", (unsigned long long)r->seed), "frame", "offset", vec3(r->net.frame.offset), "scale",
                        vec3(r->net.frame.scale), "som", cli_json_som(&r->net, r->train_seconds), "fit", fit, "refine", refine, "surface", "from",
                        r->best < r->nrefined ? cli_algorithm_name(r->refined[r->best].algorithm) : "fit", "error", final->error.nov, "seam_gap",

@@ -1,5 +1,5 @@
 /* run: progress, interruption, clocks, and the words a run says. */
-#include "cli/cli.h"
+#include "cli/conform.h"
 #include "etalon/io/file.h"
 #include <errno.h>
 #include <signal.h>
@@ -174,6 +174,14 @@ void cli_json_append(json_t **array, json_t *value)
         json_decref(*array);
         *array = NULL;
     }
+}
+
+json_t *cli_json_text(const char *text)
+{
+    json_t *s = text ? json_string(text) : json_null();
+    char clean[CONFORM_TEXT];
+
+    return s ? s : json_string(conform_clean(clean, text));
 }
 
 et_status cli_json_load(json_t **document, const char *path, et_message *message)

@@ -2,7 +2,9 @@
  *
  * ET_FAIL_ALLOC=K  the K-th allocation returns null; ET_FAIL_LASTING=1: and all after it
  * ET_FAIL_WRITE=K  the K-th call of write, fsync, rename, open for writing, ftruncate and the like fails as on a full disk
- * ET_FAIL_TELL=F   on exit both counts are written to the file F: `allocations writes`; then, a line each, which of them were the first from their place in
+ * ET_FAIL_READ=K   the K-th call of fread fails as on a disk that cannot be read
+ * ET_FAIL_SLOW=S   each call of write, fsync, rename and the like takes S seconds more, whatever signals come
+ * ET_FAIL_TELL=F   on exit the counts are written to the file F: `allocations writes reads`; then, a line each, which of them were the first from their place in
  *                  the program: `a K` and `w K`, where a place is the chain of the program's calls that led there
  *
  * Counted are the calls made from the program itself and from the C library on its behalf, but not those of libraries that are known to end the
@@ -21,6 +23,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/types.h>
+#include <time.h>
 #include <unistd.h>
 
 extern void *__libc_malloc(size_t);
@@ -32,7 +35,7 @@ enum { RANGES = 16, PLACES = 4096, DEPTH = 24 };
 static struct { uintptr_t from, to; int program; } range[RANGES];
 static int ranges;
 static int ready;
-static unsigned long allocations, writes, fail_alloc, fail_write;
+static unsigned long allocations, writes, reads, fail_alloc, fail_write, fail_read, slow;
 static int lasting;
 static struct { uintptr_t chain; unsigned long first; char kind; } place[PLACES];
 static const char *tell_to;
@@ -71,13 +74,13 @@ void et_fail_off(void)
 
 static void tell(void)
 {
-    const unsigned long a = allocations, w = writes;
+    const unsigned long a = allocations, w = writes, r = reads;
     FILE *f;
 
     ready = 0;
     f = tell_to ? fopen(tell_to, "w") : NULL;
     if (f) {
-        fprintf(f, "%lu %lu\n", a, w);
+        fprintf(f, "%lu %lu %lu\n", a, w, r);
         for (int k = 0; k < PLACES; k++)
             if (place[k].kind)
                 fprintf(f, "%c %lu\n", place[k].kind, place[k].first);
@@ -87,7 +90,7 @@ static void tell(void)
 
 __attribute__((constructor)) static void begin(void)
 {
-    static const char *const names[] = { "ET_FAIL_ALLOC", "ET_FAIL_WRITE", "ET_FAIL_LASTING", "ET_FAIL_TELL" };
+    static const char *const names[] = { "ET_FAIL_ALLOC", "ET_FAIL_WRITE", "ET_FAIL_READ", "ET_FAIL_SLOW", "ET_FAIL_LASTING", "ET_FAIL_TELL" };
     void *first[1];
 
     dl_iterate_phdr(note, NULL);
@@ -95,6 +98,8 @@ __attribute__((constructor)) static void begin(void)
     (void)backtrace(first, 1);           /* the first call allocates */
     fail_alloc = setting("ET_FAIL_ALLOC");
     fail_write = setting("ET_FAIL_WRITE");
+    fail_read = setting("ET_FAIL_READ");
+    slow = setting("ET_FAIL_SLOW");
     lasting = setting("ET_FAIL_LASTING") != 0;
     for (size_t k = 0; k < sizeof names / sizeof *names; k++)
         (void)unsetenv(names[k]);        /* what the program starts is left alone */
@@ -133,7 +138,7 @@ static int falls(unsigned long *count, unsigned long at, const void *caller)
         if (range[k].from <= (uintptr_t)caller && (uintptr_t)caller < range[k].to) {
             const unsigned long n = __atomic_add_fetch(count, 1, __ATOMIC_RELAXED);
             if (tell_to)
-                note_place(count == &writes ? 'w' : 'a', n);
+                note_place(count == &writes ? 'w' : count == &reads ? 'r' : 'a', n);
             return at != 0 && (n == at || (lasting && n > at));
         }
     return 0;
@@ -179,6 +184,10 @@ void *aligned_alloc(size_t align, size_t n)
 
 static int full(const void *caller)
 {
+    struct timespec left = { (time_t)slow, 0 };
+
+    while (ready && slow && nanosleep(&left, &left) != 0)
+        ;
     if (!falls(&writes, fail_write, caller))
         return 0;
     errno = ENOSPC;
@@ -231,6 +240,19 @@ size_t fwrite(const void *data, size_t size, size_t n, FILE *f)
     if (!stream_fails(f, __builtin_return_address(0)))
         return real(data, size, n, f);
     f->_flags |= 0x20;                   /* glibc's _IO_ERR_SEEN: ferror() must know */
+    return 0;
+}
+
+size_t fread(void *data, size_t size, size_t n, FILE *f)
+{
+    static size_t (*real)(void *, size_t, size_t, FILE *);
+
+    if (!real)
+        real = (size_t(*)(void *, size_t, size_t, FILE *))dlsym(RTLD_NEXT, "fread");
+    if (!falls(&reads, fail_read, __builtin_return_address(0)))
+        return real(data, size, n, f);
+    f->_flags |= 0x20;
+    errno = EIO;
     return 0;
 }
 
