@@ -287,12 +287,15 @@ static et_status point(et_vec3 *P, const judge_shape *f, const double x[2], cons
     return f->curve ? et_exact_curve_ders_side(P, 0, &f->c, x[0], s[0]) : et_exact_surface_partials(P, 0, &f->s, x[0], x[1], s[0], s[1]);
 }
 
-/* Two points, correctly rounded: how far they are apart.  0 where that cannot be told: it proves nothing. */
-static double apart(const judge_shape *a, const judge_shape *b, const double x[2], const int left[2])
+/* Two points, correctly rounded: how far they are apart.  0 where that cannot be told: it proves nothing; *memory becomes ET_ENOMEM for want of it. */
+static double apart(et_status *memory, const judge_shape *a, const judge_shape *b, const double x[2], const int left[2])
 {
     et_vec3 A, B;
+    const et_status s = point(&A, a, x, left), t = point(&B, b, x, left);
 
-    return point(&A, a, x, left) == ET_OK && point(&B, b, x, left) == ET_OK ? et_exact_vec3_distance(A, B) : 0;
+    if (s == ET_ENOMEM || t == ET_ENOMEM)
+        *memory = ET_ENOMEM;
+    return s == ET_OK && t == ET_OK ? et_exact_vec3_distance(A, B) : 0;
 }
 
 /* Sample i of a span [a,b]: 0 its left end, from inside, 2p + 2 its right end. */
@@ -327,7 +330,7 @@ static int suspect(const removal *r, const across *a, const double *moved, size_
 }
 
 /* The greatest distance at the samples of a span. */
-static double sample_span(const removal *r, const across *a, const judge_shape *got, size_t k, size_t l)
+static double sample_span(et_status *memory, const removal *r, const across *a, const judge_shape *got, size_t k, size_t l)
 {
     const int v = !r->f.curve && r->e.along == ET_ALONG_V;
     double most = 0;
@@ -338,13 +341,13 @@ static double sample_span(const removal *r, const across *a, const judge_shape *
             const double x = sample(&along, r->u[k], r->u[k + 1], i, r->p), y = a->t ? sample(&other, a->t[l], a->t[l + 1], j, a->q) : 0;
             const double at[2] = { v ? y : x, v ? x : y };
             const int left[2] = { v ? other : along, v ? along : other };
-            most = fmax(most, apart(&r->f, got, at, left));
+            most = fmax(most, apart(memory, &r->f, got, at, left));
         }
     return most;
 }
 
 /* The greatest distance seen in the spans where control points have moved too far, until one is proved. */
-static double moved_at_least(const removal *r, const judge_shape *got, const double *moved)
+static double moved_at_least(et_status *memory, const removal *r, const judge_shape *got, const double *moved)
 {
     const across a = across_of(r);
     double most = 0;
@@ -352,14 +355,14 @@ static double moved_at_least(const removal *r, const judge_shape *got, const dou
     for (size_t k = r->p; k < r->n; k++)
         for (size_t l = a.q; l < a.n && most <= r->allowed + r->slack; l++)
             if (r->u[k] < r->u[k + 1] && (!a.t || a.t[l] < a.t[l + 1]) && suspect(r, &a, moved, k, l))
-                most = fmax(most, sample_span(r, &a, got, k, l));
+                most = fmax(most, sample_span(memory, r, &a, got, k, l));
     return most;
 }
 
 static et_status proofs(et_judgement *j, const removal *r, const judge_shape *got, double *moved)
 {
     double most = 0;
-    const et_status status = moved_points(moved, r, got);
+    et_status status = moved_points(moved, r, got);
 
     for (size_t i = 0; i < judge_shape_size(&r->f); i++)
         most = fmax(most, isnan(moved[i]) ? INFINITY : moved[i]);
@@ -370,14 +373,14 @@ static et_status proofs(et_judgement *j, const removal *r, const judge_shape *go
     j->ratio = most > 0 ? fmin(most / r->allowed, 1) : 0;
     if (most <= r->allowed)
         return ET_OK;
-    const double least = moved_at_least(r, got, moved);
-    if (least > r->allowed + r->slack) {
+    const double least = moved_at_least(&status, r, got, moved);
+    if (status == ET_OK && least > r->allowed + r->slack) {
         j->ratio = (least - r->e.tolerance) / r->slack;
         j->got = least;
         judge_say(j, j->ratio <= 0x1p20 ? ET_VERDICT_INACCURATE : ET_VERDICT_WRONG, "after removal a point is %.6g away, allowed are %.6g", least,
                   r->allowed);
     }
-    return ET_OK;
+    return status;
 }
 
 /* Whether it is, to the bit, the exact result. */
