@@ -92,21 +92,22 @@ command() {
     rm -rf reference
 }
 
-# interrupted NAME 'OUTPUTS' ARGUMENTS...: the first signal asks, but the disk takes its time; the second ends the command at once.
+# interrupted NAME K 'OUTPUTS' ARGUMENTS...: the K-th call that writes takes its time; the first signal asks, the second ends the command at once.
 interrupted() {
     case $1 in ${ONLY:-*}) ;; *) return ;; esac
-    name=$1 outputs=$2 why=
-    shift 2
-    keep=$(printf './%s\n' err count now; find . ! -type d; for f in $outputs; do mkdir -p "$(dirname "$f")" && echo "./$f"; done)
+    name=$1 at=$2 outputs=$3 why=
+    shift 3
+    rm -f slow
+    keep=$(printf './%s\n' err count now slow; find . ! -type d; for f in $outputs; do mkdir -p "$(dirname "$f")" && echo "./$f"; done)
     old
-    env LD_PRELOAD="$build/fail.so" ET_FAIL_SLOW=3 "$etalon" "$@" > /dev/null 2> err < input & pid=$!
-    sleep 1
+    env LD_PRELOAD="$build/fail.so" ET_FAIL_SLOW=$at "$etalon" "$@" > /dev/null 2> err < input & pid=$!
+    for k in $(seq 200); do [ -e slow ] && break; sleep 0.05; done
     kill -INT $pid
     sleep 0.6
     kill -TERM $pid
     wait $pid
     code=$?
-    [ "$code" -eq 130 ] && grep -q 'nothing was written' err || bad "exit code $code ($(head -c 200 err))"
+    [ "$code" -eq 130 ] && grep -q 'nothing was written' err || bad "exit code $code ($(tail -n 1 err))"
     for f in $outputs; do [ "$(cat "$f")" = old ] || bad "$f is another file"; done
     beside=$(find . -path ./reference -prune -o ! -type d -print | grep -vxF "$keep")
     [ -z "$beside" ] || { bad "left behind: $beside"; rm -rf $beside; }
@@ -155,6 +156,19 @@ command compare table.json compare small.xyz --grid 6x6 --iterations 500 --contr
 "$etalon" compare small.xyz --grid 6x6 --iterations 500 --control 5x5 --with de --runs 1 --generations 2 --json > base.json || exit 2
 "$etalon" compare small.xyz --grid 6x6 --iterations 500 --control 5x5 --with de,optimum --runs 2 --generations 2 --json --journal runs > /dev/null || exit 2
 command journal '' compare small.xyz --grid 6x6 --iterations 500 --control 5x5 --with de,optimum --runs 2 --generations 2 --json --journal runs
+cat > gnuplot <<'G'
+#!/bin/sh
+cat > /dev/null
+echo picture
+G
+chmod +x gnuplot
+path=$PATH PATH=$dir:$PATH
+pictured=
+for f in cloud net surface error convergence; do pictured="$pictured pictured/$f.png"; done
+for f in $made; do pictured="$pictured pictured/${f#made/}"; done
+command reconstruct-pictures "$pictured" reconstruct small.xyz --grid 6x6 --iterations 500 --control 5x5 --refine de --generations 2 -o pictured
+PATH=$path
+command standard-output '' generate cube --size 5 -o /dev/stdout
 command baseline '' compare small.xyz --grid 6x6 --iterations 500 --control 5x5 --with de --runs 1 --generations 2 --baseline base.json
 cat > adapter <<A
 #!/bin/sh
@@ -172,12 +186,12 @@ exec "$etalon" serve
 A
 chmod +x ends
 : > begun
-interrupted conform found.xml conform --adapter ./ends --ops span --junit found.xml
+interrupted conform 4 found.xml conform --adapter ./ends --ops span --junit found.xml
 sleep 0.2
-if ps -o stat= -p "$(cat begun || echo 0)" | grep -qv '^Z'; then failed=$((failed + 1)); echo "FAIL faults the adapter of an interrupted run is left"; else passed=$((passed + 1)); fi
-interrupted reconstruct "$made" reconstruct small.xyz --grid 6x6 --iterations 500 --control 5x5 --refine none --no-pictures -o made
+if [ -s begun ] && ps -o stat= -p "$(cat begun)" | grep -qv '^Z'; then failed=$((failed + 1)); echo "FAIL faults the adapter of an interrupted run is left"; else passed=$((passed + 1)); fi
+interrupted reconstruct 200 "$made" reconstruct small.xyz --grid 6x6 --iterations 500 --control 5x5 --refine none --no-pictures -o made
 codes=
-for f in ply ply-ascii stl obj pcd; do
+for f in xyz ply ply-ascii stl obj pcd; do
     python3 "$here/faults/cloud.py" $f small.xyz > "$f.${f%-*}"
     command "train-$f" trained.json train "$f.${f%-*}" --grid 4x4 --iterations 100 -o trained.json
 done

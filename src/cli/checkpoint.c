@@ -56,7 +56,7 @@ et_status cli_checkpoint_write(const char *path, const et_search *s, const et_rn
         o = NULL;
     }
     if (!o)
-        return et_status_fail(message, ET_ENOMEM, "%s cannot be written: memory is short, or a value is not finite", path);
+        return et_status_fail(message, ET_EFORMAT, "%s cannot be written: a value is not finite, and JSON has no name for it", path);
     status = cli_write_json(path, o, message);
     json_decref(o);
     return status;

@@ -45,12 +45,12 @@ static void tell_net(FILE *f, const cli_reconstruction *r)
                "mapped; the CAD files and the mesh are in the cloud's own coordinates.\n\n", r->cloud, r->points, (unsigned long long)r->seed);
     if (r->pictures)
         fprintf(f, "![The cloud](cloud.png)\n\n");
-    fprintf(f, "## The net\n\nA double net of %zu x %zu: NON %zu nodes, NOV %zu classes, NOR %zu redundant. %zu steps, %.2f s CPU.\n\n"
-               "| | QE | TE | least error | greatest error |\n|---|---|---|---|---|\n| while training | %.6f | %.6f | %.6f | %.6f |\n"
-               "| after training, all points | %.6f | %.6f | %.6f | %.6f |\n\n",
-            n->net.nx, n->net.ny, et_doublenet_non(n->net), et_doublenet_nov(n->net), et_doublenet_nor(n->net), n->training.steps, r->train_seconds,
-            n->training.qe, n->training.te, n->training.min_error, n->training.max_error, n->final.qe, n->final.te, n->final.min_error,
-            n->final.max_error);
+    /* In pieces: for many conversions at once the C library takes memory and, without it, ends in the middle and marks no error. */
+    fprintf(f, "## The net\n\nA double net of %zu x %zu: NON %zu nodes, NOV %zu classes, NOR %zu redundant. ", n->net.nx, n->net.ny,
+            et_doublenet_non(n->net), et_doublenet_nov(n->net), et_doublenet_nor(n->net));
+    fprintf(f, "%zu steps, %.2f s CPU.\n\n| | QE | TE | least error | greatest error |\n|---|---|---|---|---|\n", n->training.steps, r->train_seconds);
+    fprintf(f, "| while training | %.6f | %.6f | %.6f | %.6f |\n", n->training.qe, n->training.te, n->training.min_error, n->training.max_error);
+    fprintf(f, "| after training, all points | %.6f | %.6f | %.6f | %.6f |\n\n", n->final.qe, n->final.te, n->final.min_error, n->final.max_error);
     if (r->pictures)
         fprintf(f, "![The two views of the net](net.png)\n\n");
 }

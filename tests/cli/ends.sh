@@ -22,7 +22,7 @@ j = json.load(open('n.json'))
 def times(x, k): return [times(y, k) for y in x] if isinstance(x, list) else x * k
 w = j['weights']
 j['weights'] = times(w, 1e200); json.dump(j, open('large.json', 'w'))
-j['weights'] = times([[x - 0.5 for x in p] for p in w], 2e307); json.dump(j, open('largest.json', 'w'))
+j['weights'] = times([[x - 0.5 for x in p] for p in w], 8e307); json.dump(j, open('largest.json', 'w'))
 P
 echo kept > g.json
 says 'a fit whose squares overflow' 3 'want --exact, or a cloud' "$etalon" fit large.json --control 5x5 -o g.json
@@ -32,6 +32,11 @@ says 'errors beyond all doubles' 3 'even the errors are beyond all doubles' "$et
 says 'a start population beyond all doubles' 2 'de ' "$etalon" refine f.json --net n.json --with de --spread 1e308
 says 'a mesh beyond memory' 70 '--mesh 1000000000x1000000000 cannot be made' "$etalon" reconstruct s.xyz $few --refine none --mesh 1000000000x1000000000 -o mesh.d
 [ ! -e mesh.d ] && pass 'and no folder' || fail 'and no folder' "$(ls -A mesh.d)"
+
+says 'fit: one file for two things' 2 'two different files' "$etalon" fit n.json --output g.json --iges g.json
+says 'reconstruct: no such algorithm' 2 "does not know 'abc'" "$etalon" reconstruct s.xyz --refine abc -o x.d
+python3 -c "import json; j = json.load(open('n.json')); del j['training']['seed']; json.dump(j, open('seedless.json', 'w'))"
+says 'a net that does not tell its seed' 3 'seedless.json: training.seed' "$etalon" fit seedless.json
 
 # ---- folders and locks ----
 says 'a folder where none can be made' 4 'cannot make a folder in /proc' "$etalon" reconstruct s.xyz $few --refine none -o /proc
@@ -65,6 +70,10 @@ touch two.go; wait
 kept 'and nothing was' two/surface.json
 [ "$(ls -A two)" = surface.json ] && pass 'nor left' || fail 'nor left' "$(ls -A two)"
 
+"$etalon" reconstruct s.xyz --grid 20x20 --iterations 1000000000 --no-pictures -o train.d 2> err & pid=$!
+sleep 0.7; kill -INT $pid; wait $pid; got=$?
+[ $got -eq 130 ] && grep -q 'nothing was written' err && [ ! -e train.d ] && pass 'interrupted in training' || fail 'interrupted in training' "exit code $got: $(cat err)"
+
 # ---- readings, names, files ----
 want 'reconstruct: the source'\''s readings, and the optimum' 0 "$etalon" reconstruct s.xyz --grid 6x6 --iterations 500 --control 5x5 --no-pictures --refine de,optimum --generations 2 --faithful -o faithful.d
 grep -q '^Certified: no closed surface' faithful.d/report.md && pass 'the report tells what is certified' || fail 'the report tells what is certified'
@@ -80,15 +89,38 @@ says 'parameters that are a folder' 4 'cannot read odd.d: Is a directory' "$etal
 says 'a checkpoint that is a folder' 4 'cannot read odd.d: Is a directory' "$etalon" refine f.json --net n.json --with de --resume odd.d
 says 'a baseline that is a folder' 4 'cannot read odd.d: Is a directory' "$etalon" compare s.xyz --baseline odd.d
 printf '0.5 0.5\n' > uv
-printf '\357\273\2770.5 0.5\n' > marked
-"$etalon" evaluate f.json uv > plain && "$etalon" evaluate f.json marked > out 2> err
-same 'a byte order mark' plain out
+"$etalon" fit largest.json --control 5x5 --knots uniform --exact -q -o steep.json
+says 'derivatives beyond all doubles, as JSON' 3 'a value is not finite' "$etalon" evaluate steep.json uv --order 2 --json
+echo kept > c.state
+says 'a checkpoint of values beyond all doubles' 3 'c.state cannot be written: a value is not finite' "$etalon" refine f.json --net n.json --with pso --generations 3 --c1 1e100 --vmax 0 --checkpoint c.state
+kept 'and the earlier one stays, as ever' c.state
+(ulimit -f 1; exec "$etalon" compare s.xyz --grid 6x6 --control 5x5 --with de --runs 40 --generations 2 --journal j > out 2> err)
+[ $? -eq 4 ] && grep -q 'cannot write j:' err && pass 'a journal that may not grow' || fail 'a journal that may not grow' "$(cat err)"
+says 'no terminal to write to' 4 'cannot write /dev/tty' setsid -w "$etalon" generate cube --size 5 -o /dev/tty
+# As root nothing is read-only: then as nobody, if that can be.
+user=; if [ "$(id -u)" -eq 0 ]; then user="setpriv --reuid 65534 --regid 65534 --clear-groups"; chmod 755 .; fi
+cp "$etalon" for-all; echo kept > read-only; chmod 777 .; chmod 444 read-only
+if $user true 2> err; then says 'a file that is read-only' 4 'cannot write read-only: Permission denied' $user ./for-all generate cube --size 5 -o read-only; fi
+kept 'and it stays' read-only
+head -c 70000000 /dev/zero | tr '\0' 1 > long.xyz
+says 'a line without end' 3 'long.xyz:1: line of more than 67108864 bytes' "$etalon" train long.xyz
+rm long.xyz
+python3 - <<'P'
+import json
+open('many.ply', 'w').write('ply\nformat ascii 1.0\n' + ''.join('element e%d 0\n' % k for k in range(65)) + 'end_header\n')
+j = json.load(open('f.json'))
+j['data']['uv'] = [[0.5, 0.5]] * 52
+json.dump(j, open('own.json', 'w'))
+P
+says 'a file of more elements than any' 3 'many.ply:67: more than 64 elements' "$etalon" train many.ply
+says 'refine: exact, a surface of its own parameters' 3 'own.json has parameters of its own' "$etalon" refine own.json --net n.json --with de --exact
 
 # ---- programs under judgement ----
 cat > say.py <<'P'
-"""say.py HELLO REPLY: answer hello with HELLO, all else with REPLY; both are Python's escapes of bytes."""
-import codecs, sys
-for line in sys.stdin:
+"""say.py HELLO REPLY [N]: answer hello with HELLO, all else with REPLY; both are Python's escapes of bytes.  The N-th answer is cut short, once."""
+import codecs, os, sys
+for n, line in enumerate(sys.stdin):
+    if len(sys.argv) > 3 and n == int(sys.argv[3]) and not os.path.exists('died'): open('died', 'w').close(); sys.stdout.write(line.split()[0] + ' o'); break
     id = line.split()[0]
     text = codecs.escape_decode(sys.argv[1 if id == '0' else 2])[0]
     sys.stdout.buffer.write(id.encode() + b' ' + text + b'\n'); sys.stdout.flush()
@@ -106,6 +138,8 @@ grep -q '<skipped message="unsupported"/>' none.xml && pass 'is skipped' || fail
 want 'a baseline of what is wrong' 1 "$etalon" conform --adapter "python3 say.py '$hello' 'ok 77'" --ops span --baseline-write known.json
 want 'what is known, as JUnit' 0 "$etalon" conform --adapter "python3 say.py '$hello' 'ok 77'" --ops span --baseline known.json --junit known.xml
 grep -q 'all of them known' known.xml && pass 'is skipped, too' || fail 'is skipped, too' "$(cat known.xml)"
+want 'a program that dies within a line' 1 "$etalon" conform --adapter "python3 -S say.py '$hello' unsupported 3" --ops span --trace talk --findings 1
+grep -q '^! ' talk && pass 'the trace tells' || fail 'the trace tells' "$(tail -n 3 talk)"
 echo '[' > cut; says 'a baseline cut short' 3 'cut:' "$etalon" conform --adapter true --baseline cut
 echo '{"known": [1]}' > one.base; says 'a baseline of numbers' 3 'not a baseline' "$etalon" conform --adapter true --baseline one.base
 mkdir -p prefix/bin prefix/share/etalon/conformance

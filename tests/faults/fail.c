@@ -3,7 +3,7 @@
  * ET_FAIL_ALLOC=K  the K-th allocation returns null; ET_FAIL_LASTING=1: and all after it
  * ET_FAIL_WRITE=K  the K-th call of write, fsync, rename, open for writing, ftruncate and the like fails as on a full disk
  * ET_FAIL_READ=K   the K-th call of fread fails as on a disk that cannot be read
- * ET_FAIL_SLOW=S   each call of write, fsync, rename and the like takes S seconds more, whatever signals come
+ * ET_FAIL_SLOW=K    the K-th of these calls makes the file `slow` and takes three seconds, whatever signals come
  * ET_FAIL_TELL=F   on exit the counts are written to the file F: `allocations writes reads`; then, a line each, which of them were the first from their place in
  *                  the program: `a K` and `w K`, where a place is the chain of the program's calls that led there
  *
@@ -182,13 +182,26 @@ void *aligned_alloc(size_t align, size_t n)
 
 /* ---- what writes --------------------------------------------------------------------------------------------------------------- */
 
+static void sleep_through(void)
+{
+    struct timespec left = { 3, 0 };
+    FILE *f;
+
+    slow = 0;
+    f = fopen("slow", "w");
+    if (f)
+        fclose(f);
+    while (nanosleep(&left, &left) != 0)
+        ;
+}
+
 static int full(const void *caller)
 {
-    struct timespec left = { (time_t)slow, 0 };
+    const int fails = falls(&writes, fail_write, caller);
 
-    while (ready && slow && nanosleep(&left, &left) != 0)
-        ;
-    if (!falls(&writes, fail_write, caller))
+    if (ready && slow && writes >= slow)
+        sleep_through();
+    if (!fails)
         return 0;
     errno = ENOSPC;
     return 1;
@@ -254,6 +267,24 @@ size_t fread(void *data, size_t size, size_t n, FILE *f)
     f->_flags |= 0x20;
     errno = EIO;
     return 0;
+}
+
+int ftruncate(int fd, off_t length)
+{
+    static int (*real)(int, off_t);
+
+    if (!real)
+        real = (int (*)(int, off_t))dlsym(RTLD_NEXT, "ftruncate");
+    return full(__builtin_return_address(0)) ? -1 : real(fd, length);
+}
+
+FILE *tmpfile(void)
+{
+    static FILE *(*real)(void);
+
+    if (!real)
+        real = (FILE * (*)(void)) dlsym(RTLD_NEXT, "tmpfile");
+    return full(__builtin_return_address(0)) ? NULL : real();
 }
 
 int fsync(int fd)
