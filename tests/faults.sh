@@ -78,7 +78,7 @@ command() {
     size=$(cd reference && cat /dev/null $outputs | wc -c)
     for k in $(places $((size / 512)) | head -n 40); do           # at least a block: messages go to a file, too
         old
-        (ulimit -f "$k" && exec "$etalon" "$@") > /dev/null 2> err < input
+        (ulimit -S -f "$k" && exec "$etalon" "$@") > /dev/null 2> err < input
         code=$?
         after "no file above $k blocks" 0 4 $codes
     done
