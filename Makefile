@@ -164,6 +164,12 @@ WRAP := -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=posix_memalign,--w
 	$(patsubst %,--wrap=posix_spawn%,_file_actions_init _file_actions_adddup2 _file_actions_addclose attr_init attr_setflags attr_setpgroup attr_setsigdefault attr_setsigmask))
 $(B)/memory: $(B)/tests/faults/memory.c.o $(LEAVING) $(B)/libetalon.a
 	$(CC) $(CFLAGS) $(LDFLAGS) $(WRAP) -o $@ $^ $(LDLIBS)
+# No memory, under the sanitizers: what a refusal leaves behind may be wrong without being seen.
+refused:
+	@ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) -s P=asan refusing
+refusing: $(B)/memory
+	@mkdir -p $(B)/faults
+	@$(SUM) '$(B)/memory $(B)/faults 2> $(B)/faults/told || { cat $(B)/faults/told >&2; exit 1; }'
 faults: $(B)/memory $(B)/etalon
 	@mkdir -p $(B)/faults
 	@$(SUM) '$(B)/memory $(B)/faults' 'sh tests/faults.sh $(B) $(B)/etalon $(or $(MOST),120)'
@@ -203,7 +209,7 @@ built: all $(B)/check
 check: deps-test
 	@$(SUM) '$(MAKE) -s $(J) built' '$(MAKE) -s $(J) P=clang built' '$(MAKE) -s $(J) P=asan built' '$(MAKE) -s $(J) also' \
 	  "$(SUM) -j $$(nproc 2> /dev/null || echo 1) '$(MAKE) -s test' '$(MAKE) -s bits PARTS=\"native s390x fault\"' '$(MAKE) -s end-to-end' 'ET_RUNS=200 $(MAKE) -s asan' 'ET_RUNS=200 $(MAKE) -s P=clang test' \
-	  '$(MAKE) -s judged' '$(MAKE) -s faults MOST=12' 'sh tests/oss-fuzz.sh $(BUILD)/oss-fuzz' '$(MAKE) -s rows' '$(MAKE) -s within' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' \
+	  '$(MAKE) -s judged' '$(MAKE) -s faults MOST=12' '$(MAKE) -s refused' 'sh tests/oss-fuzz.sh $(BUILD)/oss-fuzz' '$(MAKE) -s rows' '$(MAKE) -s within' '$(MAKE) -s bites' '$(MAKE) -s harness' '$(MAKE) -s floors' \
 	  '$(MAKE) -s contracts' '$(MAKE) -s proofs-quick' '$(MAKE) -s audit' '$(MAKE) -s docs' 'sh tests/install.sh $(BUILD)'"
 # What else the tests are made of: built before they run side by side.
 also: $(B)/frozen $(B)/memory $(B)/accuracy $(B)/replay adapters-light
@@ -297,4 +303,4 @@ uninstall:
 	rm -rf $(DESTDIR)$(PREFIX)/share/etalon
 clean:
 	rm -rf $(BUILD)
-.PHONY: proofs proofs-accept proofs-quick all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits print-libs fuzz fuzz-min cover covering faults built also check end-to-end mutants mutate mutants-self bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean
+.PHONY: proofs proofs-accept proofs-quick all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits print-libs fuzz fuzz-min cover covering faults refused refusing built also check end-to-end mutants mutate mutants-self bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean

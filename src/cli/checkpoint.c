@@ -56,7 +56,7 @@ et_status cli_checkpoint_write(const char *path, const et_search *s, const et_rn
         o = NULL;
     }
     if (!o)
-        return et_status_fail(message, ET_ENOMEM, "%s cannot be written: memory is short, or a value is not finite", path);
+        return et_status_fail(message, ET_EFORMAT, "%s cannot be written: a value is not finite, and JSON has no name for it", path);
     status = cli_write_json(path, o, message);
     json_decref(o);
     return status;
@@ -125,6 +125,8 @@ static int made_so_many(const et_search *s, uint64_t draws, uint64_t generation)
     return (double)draws <= 64 * ((double)generation + 1) * (double)s->options.population * individual;
 }
 
+static const char short_of_memory[] = "memory is short";
+
 static const char *restore(et_search *s, et_rng *rng, double **history, size_t more, const json_t *o)
 {
     const size_t m = s->options.population, all = m * s->n;
@@ -133,7 +135,7 @@ static const char *restore(et_search *s, et_rng *rng, double **history, size_t m
     const char *bad = NULL;
 
     if (!x0)
-        return "memory is short";
+        return short_of_memory;
     if (!take_reals(x0, s->n, o, "x0") || memcmp(x0, s->x0, s->n * sizeof *x0) != 0)
         bad = "it was begun from another surface";
     else if (!take_word(&draws, o, "draws") || !take_word(&generation, o, "generation") || !take_word(&evaluations, o, "evaluations")
@@ -145,7 +147,7 @@ static const char *restore(et_search *s, et_rng *rng, double **history, size_t m
     else if (!made_so_many(s, draws, generation))
         bad = "it tells of more draws than its generations make";
     else if (!(grown = et_size_array((size_t)generation + more, sizeof *grown)))
-        bad = "memory is short";
+        bad = short_of_memory;
     free(x0);
     if (bad)
         return bad;
@@ -187,7 +189,7 @@ et_status cli_checkpoint_read(et_search *search, et_rng *rng, double **history, 
     else if ((bad = what_differs(o, search, algorithm, seed)) != NULL)
         status = et_status_fail(message, ET_EFORMAT, "%s: the %s of the checkpoint differ from this run's", path, bad);
     else if ((bad = restore(search, rng, history, more, o)) != NULL)
-        status = et_status_fail(message, ET_EFORMAT, "%s: %s", path, bad);
+        status = et_status_fail(message, bad == short_of_memory ? ET_ENOMEM : ET_EFORMAT, "%s: %s", path, bad);
     json_decref(o);
     return status;
 }

@@ -77,6 +77,7 @@ et_status cli_print(const json_t *object, et_message *message);/* one JSON line 
 /* A member, an element more; where memory is short *o is freed and becomes null, which the packing or printing that follows tells. */
 void cli_json_add(json_t **o, const char *name, json_t *value);
 void cli_json_append(json_t **array, json_t *value);
+json_t *cli_json_text(const char *text);   /* null: null; what is no text, as a file's name may be, has question marks for its odd bytes */
 et_status cli_json_load(json_t **document, const char *path, et_message *message);     /* a file, whatever it holds */
 /* ET_EINVAL if two of the n paths are one; null and "-" do not count. */
 et_status cli_distinct(const char *const *paths, size_t n, et_message *message);

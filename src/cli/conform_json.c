@@ -14,14 +14,6 @@ static json_t *clean_string(const char *text)
     return text ? json_string(conform_clean(clean, text)) : json_null();
 }
 
-/* A line of numbers, which may be long. */
-static json_t *line(const char *text)
-{
-    json_t *s = text ? json_string(text) : json_null();
-
-    return s ? s : clean_string(text);
-}
-
 static json_t *real(double x)
 {
     return isfinite(x) ? json_real(x) : json_null();
@@ -97,13 +89,13 @@ static json_t *finding(const conform_result *r, const et_conform_finding *f)
     if (!o)
         return NULL;
     set_judgement(o, f->shrunk ? &f->shrunk_judgement : &f->judgement);
-    json_object_set_new(o, "request", line(f->request));
-    json_object_set_new(o, "reply", line(f->reply));
-    json_object_set_new(o, "shrunk", line(f->shrunk));
-    json_object_set_new(o, "shrunk_reply", line(f->shrunk_reply));
-    json_object_set_new(o, "vector", line(f->vector));
-    json_object_set_new(o, "issue", line(f->issue));
-    json_object_set_new(o, "relation", line(f->relation));
+    json_object_set_new(o, "request", cli_json_text(f->request));
+    json_object_set_new(o, "reply", cli_json_text(f->reply));
+    json_object_set_new(o, "shrunk", cli_json_text(f->shrunk));
+    json_object_set_new(o, "shrunk_reply", cli_json_text(f->shrunk_reply));
+    json_object_set_new(o, "vector", cli_json_text(f->vector));
+    json_object_set_new(o, "issue", cli_json_text(f->issue));
+    json_object_set_new(o, "relation", cli_json_text(f->relation));
     return o;
 }
 
@@ -159,17 +151,11 @@ json_t *conform_json(const conform_result *r)
 
 et_status conform_read_baseline(json_t **known, const char *path, et_message *message)
 {
-    json_error_t error;
-    FILE *file = fopen(path, "rb");
-    json_t *all = file ? json_loadf(file, JSON_REJECT_DUPLICATES, &error) : NULL;
-    const int failed = !file || ferror(file);
+    json_t *all;
+    const et_status status = cli_json_load(&all, path, message);
 
-    if (file)
-        fclose(file);
-    if (failed)
-        return et_status_fail(message, ET_EIO, "cannot read the baseline %s", path);
-    if (!all)
-        return et_status_fail(message, ET_EFORMAT, "%s:%d: %s", path, error.line, error.text);
+    if (status != ET_OK)
+        return status;
     json_t *list = json_object_get(all, "known");
     int right = json_is_array(list);
     for (size_t k = 0; right && k < json_array_size(list); k++)

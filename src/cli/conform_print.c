@@ -196,10 +196,6 @@ void conform_print(FILE *out, const conform_result *r)
 {
     char name[CONFORM_TEXT], version[CONFORM_TEXT];
 
-    if (!r->greeted) {
-        fprintf(out, "%s: %s, before its hello: %s\n", r->adapter, et_judge_name(r->greeting), conform_clean(name, r->text.text));
-        return;
-    }
     fprintf(out, "%s %s, level %u, seed %llu: %zu requests, %zu of them refused rightly", conform_clean(name, r->hello.name),
             conform_clean(version, r->hello.version), r->options.level, (unsigned long long)r->options.seed, r->report.asked,
             r->report.refused_rightly);

@@ -67,7 +67,7 @@ static et_status read_parameters(parameters *p, const char *path, et_message *me
     et_status status = ET_OK;
 
     if (!stream)
-        return et_status_fail(message, ET_EIO, "cannot read %s: %s", path, strerror(errno));
+        return et_status_fail(message, errno == ENOMEM ? ET_ENOMEM : ET_EIO, "cannot read %s: %s", path, strerror(errno));
     while (status == ET_OK && (length = getline(&line, &room, stream)) >= 0) {
         double uv[2];
         const int found = strlen(line) == (size_t)length ? two_numbers(uv, line) : -1;
@@ -77,8 +77,8 @@ static et_status read_parameters(parameters *p, const char *path, et_message *me
         else if (found > 0 && add(p, uv[0], uv[1]) != ET_OK)
             status = et_status_fail(message, ET_ENOMEM, "not enough memory for the parameters in %s", path);
     }
-    if (status == ET_OK && ferror(stream))
-        status = et_status_fail(message, ET_EIO, "cannot read %s: %s", path, strerror(errno));
+    if (status == ET_OK && !feof(stream))          /* also when there is no memory for a line */
+        status = et_status_fail(message, errno == ENOMEM ? ET_ENOMEM : ET_EIO, "cannot read %s: %s", path, strerror(errno));
     if (status == ET_OK && p->n == 0)
         status = et_status_fail(message, ET_EFORMAT, "%s: no parameters", path);
     free(line);

@@ -58,8 +58,8 @@ static et_status run(et_primitive_kind kind, const generate_options *o, const cl
         status = et_cloud_write(o->output, points, count, (et_cloud_format)o->format, message);
     free(points);
     if (status == ET_OK && run->json && strcmp(o->output, "-") != 0) {
-        json_t *object = json_pack("{s:s, s:I, s:f, s:f, s:s}", "cloud", et_primitive_name(kind), "points", (json_int_t)count, "noise", o->noise,
-                                   "outliers", o->outliers, "file", o->output);
+        json_t *object = json_pack("{s:s, s:I, s:f, s:f, s:o}", "cloud", et_primitive_name(kind), "points", (json_int_t)count, "noise", o->noise,
+                                   "outliers", o->outliers, "file", cli_json_text(o->output));
         status = cli_print(object, message);
         json_decref(object);
     } else if (status == ET_OK) {

@@ -77,6 +77,9 @@ static et_status read_lines(comparison *t, FILE *stream, const json_t *mine, con
         json_decref(o);
         *good += (long)length;
     }
+    /* What cannot be read must not be taken for the end: all that follows it would be dropped. */
+    if (status == ET_OK && length < 0 && !feof(stream))
+        status = et_status_fail(message, errno == ENOMEM ? ET_ENOMEM : ET_EIO, "cannot read %s: %s", path, strerror(errno));
     /* A first line without its end is a journal's only if it is the beginning of ours. */
     if (status == ET_OK && number == 0 && length > 0 && ((size_t)length >= strlen(text) || memcmp(line, text, (size_t)length) != 0))
         status = et_status_fail(message, ET_EFORMAT, "%s:1: not a journal", path);
@@ -112,7 +115,7 @@ et_status compare_journal_open(comparison *t, const et_net_file *net, et_message
         return et_status_fail(message, ET_EIO, "%s is not a file that a journal can be kept in", path);
     t->journal = fopen(path, "a+b");
     if (!t->journal)
-        return et_status_fail(message, ET_EIO, "cannot open %s: %s", path, strerror(errno));
+        return et_status_fail(message, errno == ENOMEM ? ET_ENOMEM : ET_EIO, "cannot open %s: %s", path, strerror(errno));
     /* The settings pass through text once, so that they compare equal to those read back. */
     mine = settings(t, net);
     char *text = mine ? json_dumps(mine, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;

@@ -198,7 +198,7 @@ static et_status publish(const char *directory, et_message *message)
     et_status status;
 
     if (lock < 0)
-        return et_status_fail(message, ET_EIO, "cannot lock %s: %s", path, strerror(errno));
+        return cli_stopped() ? cli_check(message) : et_status_fail(message, ET_EIO, "cannot lock %s: %s", path, strerror(errno));
     status = move_all(directory, message);
     unlink(path);
     close(lock);
@@ -438,7 +438,7 @@ static et_status settle(reconstruct_options *o, int exact, et_message *message)
     o->refiner.exact = exact;
     if (o->refiner.faithful)
         o->fit.knots = ET_KNOTRULE_FAITHFUL;
-    if (o->mesh[0] == 1 || o->mesh[1] == 1 || (o->mesh[0] && !o->mesh[1]))
+    if (o->mesh[0] == 1 || o->mesh[1] == 1 || !o->mesh[0] != !o->mesh[1])
         return et_status_fail(message, ET_EINVAL, "--mesh wants at least 2x2");
     return cli_refine_settle(&o->refiner, message);
 }

@@ -27,8 +27,8 @@ json_t *cli_json_summary(const cli_reconstruction *r)
     }
     for (size_t k = 0; k < r->nrefined; k++)
         cli_json_append(&refine, cli_json_refined(&r->refined[k]));
-    object = json_pack("{s:s, s:i, s:{s:s, s:I}, s:o, s:{s:o, s:o}, s:o, s:o, s:o, s:{s:s, s:f, s:f, s:b}, s:{s:I, s:I, s:f, s:f}}", "format",
-                       "etalon-summary", "version", 1, "cloud", "file", r->cloud, "points", (json_int_t)r->points, "seed",
+    object = json_pack("{s:s, s:i, s:{s:o, s:I}, s:o, s:{s:o, s:o}, s:o, s:o, s:o, s:{s:s, s:f, s:f, s:b}, s:{s:I, s:I, s:f, s:f}}", "format",
+                       "etalon-summary", "version", 1, "cloud", "file", cli_json_text(r->cloud), "points", (json_int_t)r->points, "seed",
                        json_sprintf("%llu", (unsigned long long)r->seed), "frame", "offset", vec3(r->net.frame.offset), "scale",
                        vec3(r->net.frame.scale), "som", cli_json_som(&r->net, r->train_seconds), "fit", fit, "refine", refine, "surface", "from",
                        r->best < r->nrefined ? cli_algorithm_name(r->refined[r->best].algorithm) : "fit", "error", final->error.nov, "seam_gap",
@@ -45,12 +45,12 @@ static void tell_net(FILE *f, const cli_reconstruction *r)
                "mapped; the CAD files and the mesh are in the cloud's own coordinates.\n\n", r->cloud, r->points, (unsigned long long)r->seed);
     if (r->pictures)
         fprintf(f, "![The cloud](cloud.png)\n\n");
-    fprintf(f, "## The net\n\nA double net of %zu x %zu: NON %zu nodes, NOV %zu classes, NOR %zu redundant. %zu steps, %.2f s CPU.\n\n"
-               "| | QE | TE | least error | greatest error |\n|---|---|---|---|---|\n| while training | %.6f | %.6f | %.6f | %.6f |\n"
-               "| after training, all points | %.6f | %.6f | %.6f | %.6f |\n\n",
-            n->net.nx, n->net.ny, et_doublenet_non(n->net), et_doublenet_nov(n->net), et_doublenet_nor(n->net), n->training.steps, r->train_seconds,
-            n->training.qe, n->training.te, n->training.min_error, n->training.max_error, n->final.qe, n->final.te, n->final.min_error,
-            n->final.max_error);
+    /* In pieces: for many conversions at once the C library takes memory and, without it, ends in the middle and marks no error. */
+    fprintf(f, "## The net\n\nA double net of %zu x %zu: NON %zu nodes, NOV %zu classes, NOR %zu redundant. ", n->net.nx, n->net.ny,
+            et_doublenet_non(n->net), et_doublenet_nov(n->net), et_doublenet_nor(n->net));
+    fprintf(f, "%zu steps, %.2f s CPU.\n\n| | QE | TE | least error | greatest error |\n|---|---|---|---|---|\n", n->training.steps, r->train_seconds);
+    fprintf(f, "| while training | %.6f | %.6f | %.6f | %.6f |\n", n->training.qe, n->training.te, n->training.min_error, n->training.max_error);
+    fprintf(f, "| after training, all points | %.6f | %.6f | %.6f | %.6f |\n\n", n->final.qe, n->final.te, n->final.min_error, n->final.max_error);
     if (r->pictures)
         fprintf(f, "![The two views of the net](net.png)\n\n");
 }

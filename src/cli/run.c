@@ -1,5 +1,5 @@
 /* run: progress, interruption, clocks, and the words a run says. */
-#include "cli/cli.h"
+#include "cli/conform.h"
 #include "etalon/io/file.h"
 #include <errno.h>
 #include <signal.h>
@@ -176,6 +176,14 @@ void cli_json_append(json_t **array, json_t *value)
     }
 }
 
+json_t *cli_json_text(const char *text)
+{
+    json_t *s = text ? json_string(text) : json_null();
+    char clean[CONFORM_TEXT];
+
+    return s ? s : json_string(conform_clean(clean, text));
+}
+
 et_status cli_json_load(json_t **document, const char *path, et_message *message)
 {
     json_error_t error;
@@ -183,8 +191,14 @@ et_status cli_json_load(json_t **document, const char *path, et_message *message
 
     if (!stream)
         return et_status_fail(message, errno == ENOMEM ? ET_ENOMEM : ET_EIO, "cannot read %s: %s", path, strerror(errno));
+    errno = 0;
     *document = json_loadf(stream, JSON_REJECT_DUPLICATES, &error);
+    const int reason = errno, failed = ferror(stream);
     fclose(stream);
+    if (failed) {                        /* Jansson takes it for the end */
+        json_decref(*document);
+        return et_status_fail(message, ET_EIO, "cannot read %s: %s", path, reason ? strerror(reason) : "read error");
+    }
     return *document ? ET_OK : et_status_fail(message, ET_EFORMAT, "%s:%d: %s", path, error.line, error.text);
 }
 

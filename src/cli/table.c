@@ -182,7 +182,7 @@ static json_t *to_json(const comparison *t, const cli_run *run)
             const line l = pick(t, c, m);
             cli_json_append(&rows, row_of(&l, m < 3));
         }
-    return json_pack("{s:s, s:i, s:s, s:I, s:o, s:O, s:s, s:I, s:o}", "format", "etalon-comparison", "version", 1, "cloud", t->cloud, "points",
+    return json_pack("{s:s, s:i, s:o, s:I, s:o, s:O, s:s, s:I, s:o}", "format", "etalon-comparison", "version", 1, "cloud", cli_json_text(t->cloud), "points",
                      (json_int_t)t->points, "seed", json_sprintf("%llu", (unsigned long long)run->seed), "som", t->som, "start",
                      cli_approach_name(t->options->start), "generations", (json_int_t)t->options->refiner.generations, "rows", rows);
 }

@@ -181,9 +181,11 @@ static et_status fit_grid(et_vec3 *P, const double *u, size_t ku, size_t p, cons
 static et_status fit_scattered(et_vec3 *P, const et_request_value *a)
 {
     const size_t p = a[0].count, q = a[1].count, m = a[4].count, nu = a[2].count - p - 1, nv = a[3].count - q - 1;
-    size_t rank, work_u = et_basis_work(p, 0), work_v = et_basis_work(q, 0), nwork = work_u > work_v ? work_u : work_v;
-    double *A = et_size_array(m, nu * nv * sizeof *A), *work = et_size_array(nwork + p + q + 2, sizeof *work), *N = work ? work + nwork : NULL;
-    et_status status = A && work ? ET_OK : ET_ENOMEM;
+    const size_t work_u = et_basis_work(p, 0), work_v = et_basis_work(q, 0), nwork = work_u > work_v ? work_u : work_v;
+    size_t rank, size = 0;
+    double *A = et_size_mul(&size, nu, nv) == ET_OK && et_size_mul(&size, size, m) == ET_OK ? et_size_array(size, sizeof *A) : NULL;
+    double *work = et_size_array(nwork, sizeof *work), *N = et_size_array(p + q + 2, sizeof *N);
+    et_status status = A && work && N ? ET_OK : ET_ENOMEM;
 
     for (size_t k = 0; status == ET_OK && k < m; k++) {
         const size_t i = et_knots_span(a[2].x, a[2].count, p, a[4].x[k]), j = et_knots_span(a[3].x, a[3].count, q, a[5].x[k]);
@@ -197,6 +199,7 @@ static et_status fit_scattered(et_vec3 *P, const et_request_value *a)
         status = et_linalg_lsq(&P->x, &rank, A, m, nu * nv, a[6].x, 3, ET_LINALG_QR);
     free(A);
     free(work);
+    free(N);
     return status;
 }
 

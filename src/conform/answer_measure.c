@@ -41,16 +41,18 @@ static double greatest(const double *x, size_t n)
 static et_status mark(char *share, const double *u, size_t n, size_t p, const double *t, size_t nt)
 {
     const size_t nwork = et_basis_work(p, 0);
-    double *N = et_size_array(p + 1 + nwork, sizeof *N);
+    double *N = et_size_array(p + 1, sizeof *N), *work = et_size_array(nwork, sizeof *work);
+    const et_status status = N && work ? ET_OK : ET_ENOMEM;
 
-    for (size_t k = 0; N && k < nt; k++) {
+    for (size_t k = 0; status == ET_OK && k < nt; k++) {
         const size_t span = et_knots_span(u, n + p + 1, p, t[k]);
-        et_basis_eval(N, u, n + p + 1, p, span, t[k], N + p + 1, nwork);
+        et_basis_eval(N, u, n + p + 1, p, span, t[k], work, nwork);
         for (size_t i = 0; i <= p; i++)
             share[span - p + i] |= N[i] != 0;
     }
     free(N);
-    return N ? ET_OK : ET_ENOMEM;
+    free(work);
+    return status;
 }
 
 /* Whether the i-th basis function is not 0 on all of the domain. */

@@ -2,8 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How often the program is asked while a request is made small.  A crash, or a reply out of order, costs a new start, hanging its whole time limit: of
- * these there are so many in the whole run. */
+/* How often the program is asked while a request is made small.  A crash, or a reply out of order, costs a new start, hanging its whole time limit:
+ * of these there are so many in the whole run. */
 enum { CALLS = 400, CALLS_ANEW = 60, CALLS_CRASH = 40, ALL_CRASH = 400, CALLS_TIMEOUT = 6, ALL_TIMEOUT = 12 };
 
 static int same_text(const char *a, const char *b)

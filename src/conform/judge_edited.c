@@ -31,8 +31,23 @@ size_t judge_shape_size(const judge_shape *f)
     return f->curve ? f->c.n : f->s.nu * f->s.nv;
 }
 
-/* The judge_shape, in the request's memory, and the edit. */
-et_status judge_edit_of(judge_shape *f, judge_editing *e, const et_request *request)
+et_curve judge_curve_of(const et_request *request)
+{
+    et_curve c = { 0, 0, NULL, NULL, NULL };
+
+    (void)et_request_curve(&c, request, 0);
+    return c;
+}
+
+et_surface judge_surface_of(const et_request *request, size_t k)
+{
+    et_surface s = { 0, 0, 0, 0, NULL, NULL, NULL, NULL };
+
+    (void)et_request_surface(&s, request, k);
+    return s;
+}
+
+void judge_edit_of(judge_shape *f, judge_editing *e, const et_request *request)
 {
     const et_request_value *a = request->arg;
 
@@ -50,7 +65,10 @@ et_status judge_edit_of(judge_shape *f, judge_editing *e, const et_request *requ
     }
     if (request->op == ET_OP_CURVE_REMOVE || request->op == ET_OP_SURFACE_REMOVE)
         e->tolerance = a[2].x[0];
-    return f->curve ? et_request_curve(&f->c, request, 0) : et_request_surface(&f->s, request, 0);
+    if (f->curve)
+        f->c = judge_curve_of(request);
+    else
+        f->s = judge_surface_of(request, 0);
 }
 
 static et_status run(judge_shape *made, size_t *removed, const judge_shape *f, const judge_editing *e)
@@ -209,10 +227,9 @@ et_status judge_edited(judge_list *list, const et_request *request)
     judge_shape f, made;
     judge_editing e;
     size_t removed = 0;
-    et_status status = judge_edit_of(&f, &e, request);
 
-    if (status == ET_OK)
-        status = run(&made, &removed, &f, &e);
+    judge_edit_of(&f, &e, request);
+    et_status status = run(&made, &removed, &f, &e);
     if (status != ET_OK)
         return status;
     if (e.op == ET_OP_CURVE_REMOVE || e.op == ET_OP_SURFACE_REMOVE)

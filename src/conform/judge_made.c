@@ -135,13 +135,11 @@ static et_status nearest(judge_list *list, const et_request *request)
 {
     const int of_curve = request->op == ET_OP_CURVE_NEAREST;
     double at[2], distance, lower, own;
-    et_curve c;
-    et_surface s;
-    et_status status = of_curve ? et_request_curve(&c, request, 0) : et_request_surface(&s, request, 0);
+    const et_curve c = judge_curve_of(request);
+    const et_surface s = judge_surface_of(request, 0);
     const et_vec3 *P = (const et_vec3 *)request->arg[of_curve ? 4 : 6].x;
+    et_status status = of_curve ? et_exact_curve_nearest(at, &distance, &lower, &c, *P) : et_exact_surface_nearest(at, &distance, &lower, &s, *P);
 
-    if (status == ET_OK)
-        status = of_curve ? et_exact_curve_nearest(at, &distance, &lower, &c, *P) : et_exact_surface_nearest(at, &distance, &lower, &s, *P);
     if (status == ET_OK)
         status = judge_distance_at(&distance, request, at);
     if (status != ET_OK)
@@ -188,11 +186,9 @@ static et_status surface_error(judge_list *list, const et_request *request)
 {
     const et_request_value *a = request->arg;
     double sum, greatest, M, most_of_all;
-    et_surface s;
-    et_status status = et_request_surface(&s, request, 0);
+    const et_surface s = judge_surface_of(request, 0);
+    et_status status = et_exact_surface_error(&sum, &greatest, &s, a[6].x, a[6].count, a[7].x, a[7].count, (const et_vec3 *)a[8].x);
 
-    if (status == ET_OK)
-        status = et_exact_surface_error(&sum, &greatest, &s, a[6].x, a[6].count, a[7].x, a[7].count, (const et_vec3 *)a[8].x);
     if (status == ET_OK)
         status = error_sizes(&M, &most_of_all, &s, a);
     if (status != ET_OK)
@@ -233,8 +229,8 @@ static et_status sample(double *most_of_all, const et_surface s[2], double x, do
     return ET_OK;
 }
 
-/* All samples of both borders that run along one direction, at the knots of both surfaces in their order.  Both end at 1, and of equal knots the first
- * surface's comes first: the other's are the last to end. */
+/* All samples of both borders that run along one direction, at the knots of both surfaces in their order.  Both end at 1, and of equal knots the
+ * first surface's comes first: the other's are the last to end. */
 static et_status borders(double *most_of_all, const et_surface s[2], int v, size_t samples, double K)
 {
     const double *u[2] = { v ? s[0].v + s[0].q : s[0].u + s[0].p, v ? s[1].v + s[1].q : s[1].u + s[1].p };
@@ -261,15 +257,10 @@ static et_status borders(double *most_of_all, const et_surface s[2], int v, size
 static et_status seam_gap(judge_list *list, const et_request *request)
 {
     const size_t samples = request->arg[12].count;
-    et_shell shell;
+    const et_shell shell = { { judge_surface_of(request, 0), judge_surface_of(request, 6) } };
     et_seam gap;
     double B = 0;
-    et_status status = et_request_surface(&shell.view[0], request, 0);
-
-    if (status == ET_OK)
-        status = et_request_surface(&shell.view[1], request, 6);
-    if (status == ET_OK)
-        status = et_exact_seam_gap(&gap, &shell, samples);
+    et_status status = et_exact_seam_gap(&gap, &shell, samples);
     const double K = status == ET_OK ? 16 * (double)(shell.view[0].p + shell.view[0].q + 2) + 1 : 0;
     for (int v = 0; status == ET_OK && v < 2; v++)
         status = borders(&B, shell.view, v, samples, K);

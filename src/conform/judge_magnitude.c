@@ -220,7 +220,7 @@ static double rational_bound(const double *B, const judge_net *net, const et_vec
 et_status judge_net_bounds(double *B, const judge_net *net, const et_vec3 *C, size_t d)
 {
     const size_t n = place(net, 0, d) + 1, rows = net->curve ? d + 1 : n;
-    double *Mw = et_size_array(rows, 2 * sizeof *Mw), *Ew = Mw + rows;
+    double *Mw = et_size_array(rows, 2 * sizeof *Mw), *Ew = Mw ? Mw + rows : NULL;
 
     if (!Mw)
         return ET_ENOMEM;

@@ -113,8 +113,11 @@ void judge_shape_free(judge_shape *f);
 et_vec3 *judge_shape_points(const judge_shape *f);
 double *judge_shape_weights(const judge_shape *f);
 size_t judge_shape_size(const judge_shape *f);
-/* The shape, in the request's memory, and the edit; K of its bounds. */
-et_status judge_edit_of(judge_shape *f, judge_editing *e, const et_request *request);
+/* The curve or the surface of a request that is not invalid, so that it has one, in its memory; k: the argument where it begins. */
+et_curve judge_curve_of(const et_request *request);
+et_surface judge_surface_of(const et_request *request, size_t k);
+/* The shape and the edit of such a request; K of its bounds. */
+void judge_edit_of(judge_shape *f, judge_editing *e, const et_request *request);
 double judge_edit_k(const judge_shape *f, const judge_editing *e);
 
 /* A sentence about number `at` of the answer, as wanted. */

@@ -101,10 +101,9 @@ static et_status compare_shapes(et_judgement *j, const et_request *request, cons
     et_reply aligned = { ET_REPLY_OK, 0, NULL, "" };
     judge_shape f;
     judge_editing e;
-    et_status status = judge_edit_of(&f, &e, request);
 
-    if (status == ET_OK)
-        status = match_weights(got, want, 2 * judge_edit_k(&f, &e) * ET_UNIT);
+    judge_edit_of(&f, &e, request);
+    et_status status = match_weights(got, want, 2 * judge_edit_k(&f, &e) * ET_UNIT);
     if (status == ET_EFORMAT) {
         j->ratio = INFINITY;
         judge_say(j, ET_VERDICT_WRONG, "weights of a polynomial that are not all equal");
@@ -167,13 +166,11 @@ typedef struct {
     double allowed, slack;                /* tol + K u max |c|, and K u max |c| */
 } removal;
 
-static et_status removal_of(removal *r, const et_request *request)
+static void removal_of(removal *r, const et_request *request)
 {
-    const et_status status = judge_edit_of(&r->f, &r->e, request);
     double most = 0;
 
-    if (status != ET_OK)
-        return status;
+    judge_edit_of(&r->f, &r->e, request);
     const int v = !r->f.curve && r->e.along == ET_ALONG_V;
     r->u = r->f.curve ? r->f.c.u : v ? r->f.s.v : r->f.s.u;
     r->p = r->f.curve ? r->f.c.p : v ? r->f.s.q : r->f.s.p;
@@ -184,7 +181,6 @@ static et_status removal_of(removal *r, const et_request *request)
             most = fmax(most, fabs(judge_coordinate(&judge_shape_points(&r->f)[i], c)));
     r->slack = judge_edit_k(&r->f, &r->e) * ET_UNIT * most;
     r->allowed = r->e.tolerance + r->slack;
-    return ET_OK;
 }
 
 /* t and what knots are left; 1 if all is as it must be. */
@@ -291,12 +287,15 @@ static et_status point(et_vec3 *P, const judge_shape *f, const double x[2], cons
     return f->curve ? et_exact_curve_ders_side(P, 0, &f->c, x[0], s[0]) : et_exact_surface_partials(P, 0, &f->s, x[0], x[1], s[0], s[1]);
 }
 
-/* Two points, correctly rounded: how far they are apart.  0 where that cannot be told: it proves nothing. */
-static double apart(const judge_shape *a, const judge_shape *b, const double x[2], const int left[2])
+/* Two points, correctly rounded: how far they are apart.  0 where that cannot be told: it proves nothing; *memory becomes ET_ENOMEM for want of it. */
+static double apart(et_status *memory, const judge_shape *a, const judge_shape *b, const double x[2], const int left[2])
 {
     et_vec3 A, B;
+    const et_status s = point(&A, a, x, left), t = point(&B, b, x, left);
 
-    return point(&A, a, x, left) == ET_OK && point(&B, b, x, left) == ET_OK ? et_exact_vec3_distance(A, B) : 0;
+    if (s == ET_ENOMEM || t == ET_ENOMEM)
+        *memory = ET_ENOMEM;
+    return s == ET_OK && t == ET_OK ? et_exact_vec3_distance(A, B) : 0;
 }
 
 /* Sample i of a span [a,b]: 0 its left end, from inside, 2p + 2 its right end. */
@@ -331,7 +330,7 @@ static int suspect(const removal *r, const across *a, const double *moved, size_
 }
 
 /* The greatest distance at the samples of a span. */
-static double sample_span(const removal *r, const across *a, const judge_shape *got, size_t k, size_t l)
+static double sample_span(et_status *memory, const removal *r, const across *a, const judge_shape *got, size_t k, size_t l)
 {
     const int v = !r->f.curve && r->e.along == ET_ALONG_V;
     double most = 0;
@@ -342,13 +341,13 @@ static double sample_span(const removal *r, const across *a, const judge_shape *
             const double x = sample(&along, r->u[k], r->u[k + 1], i, r->p), y = a->t ? sample(&other, a->t[l], a->t[l + 1], j, a->q) : 0;
             const double at[2] = { v ? y : x, v ? x : y };
             const int left[2] = { v ? other : along, v ? along : other };
-            most = fmax(most, apart(&r->f, got, at, left));
+            most = fmax(most, apart(memory, &r->f, got, at, left));
         }
     return most;
 }
 
 /* The greatest distance seen in the spans where control points have moved too far, until one is proved. */
-static double moved_at_least(const removal *r, const judge_shape *got, const double *moved)
+static double moved_at_least(et_status *memory, const removal *r, const judge_shape *got, const double *moved)
 {
     const across a = across_of(r);
     double most = 0;
@@ -356,14 +355,14 @@ static double moved_at_least(const removal *r, const judge_shape *got, const dou
     for (size_t k = r->p; k < r->n; k++)
         for (size_t l = a.q; l < a.n && most <= r->allowed + r->slack; l++)
             if (r->u[k] < r->u[k + 1] && (!a.t || a.t[l] < a.t[l + 1]) && suspect(r, &a, moved, k, l))
-                most = fmax(most, sample_span(r, &a, got, k, l));
+                most = fmax(most, sample_span(memory, r, &a, got, k, l));
     return most;
 }
 
 static et_status proofs(et_judgement *j, const removal *r, const judge_shape *got, double *moved)
 {
     double most = 0;
-    const et_status status = moved_points(moved, r, got);
+    et_status status = moved_points(moved, r, got);
 
     for (size_t i = 0; i < judge_shape_size(&r->f); i++)
         most = fmax(most, isnan(moved[i]) ? INFINITY : moved[i]);
@@ -374,14 +373,14 @@ static et_status proofs(et_judgement *j, const removal *r, const judge_shape *go
     j->ratio = most > 0 ? fmin(most / r->allowed, 1) : 0;
     if (most <= r->allowed)
         return ET_OK;
-    const double least = moved_at_least(r, got, moved);
-    if (least > r->allowed + r->slack) {
+    const double least = moved_at_least(&status, r, got, moved);
+    if (status == ET_OK && least > r->allowed + r->slack) {
         j->ratio = (least - r->e.tolerance) / r->slack;
         j->got = least;
         judge_say(j, j->ratio <= 0x1p20 ? ET_VERDICT_INACCURATE : ET_VERDICT_WRONG, "after removal a point is %.6g away, allowed are %.6g", least,
                   r->allowed);
     }
-    return ET_OK;
+    return status;
 }
 
 /* Whether it is, to the bit, the exact result. */
@@ -399,16 +398,16 @@ et_status judge_removal(et_judgement *j, const et_request *request, const et_tru
 {
     removal r = { .t = 0 };
     judge_shape got;
-    et_status status = removal_of(&r, request);
 
+    removal_of(&r, request);
     j->verdict = ET_VERDICT_CORRECTLY_ROUNDED;
-    if (status != ET_OK || equals_want(truth, reply))
-        return status;
+    if (equals_want(truth, reply))
+        return ET_OK;
     const double t = reply->count > 0 ? reply->x[0] : -1;
     if (!(t >= 0 && t <= 0x1p31 && floor(t) == t))
         return no_shape(j, reply, ET_EFORMAT);
     r.t = (size_t)t;
-    status = read_shape(&got, reply, 1, r.f.curve);
+    et_status status = read_shape(&got, reply, 1, r.f.curve);
     if (status != ET_OK)
         return no_shape(j, reply, status);
     double *moved = et_size_array(judge_shape_size(&r.f), sizeof *moved);
@@ -462,17 +461,12 @@ static et_status distance_to(double *distance, const et_surface *s, const double
 et_status judge_distance_at(double *distance, const et_request *request, const double *x)
 {
     const double at[2] = { x[0], request->op == ET_OP_CURVE_NEAREST ? 0 : x[1] };
-    et_curve c;
-    et_surface s;
-    et_status status;
+    const et_curve c = judge_curve_of(request);
+    et_surface s = judge_surface_of(request, 0);
 
-    if (request->op == ET_OP_SURFACE_NEAREST) {
-        status = et_request_surface(&s, request, 0);
-        return status == ET_OK ? distance_to(distance, &s, at, (const et_vec3 *)request->arg[6].x) : status;
-    }
-    status = et_request_curve(&c, request, 0);
-    if (status == ET_OK)
-        status = ruled(&s, &c);
+    if (request->op == ET_OP_SURFACE_NEAREST)
+        return distance_to(distance, &s, at, (const et_vec3 *)request->arg[6].x);
+    et_status status = ruled(&s, &c);
     if (status != ET_OK)
         return status;
     status = distance_to(distance, &s, at, (const et_vec3 *)request->arg[4].x);

@@ -108,15 +108,15 @@ et_status judge_points(judge_list *list, const et_request *request, int left_u, 
     et_vec3 *C = et_size_array(n, sizeof *C);
     double *B = et_size_array(n, 3 * sizeof *B);
     judge_net net = { 0 };
-    et_curve c;
-    et_surface s;
+    const et_curve c = judge_curve_of(request);
+    const et_surface s = judge_surface_of(request, 0);
     et_status status = C && B ? ET_OK : ET_ENOMEM;
 
-    if (status == ET_OK && of_curve && (status = et_request_curve(&c, request, 0)) == ET_OK) {
+    if (status == ET_OK && of_curve) {
         status = et_exact_curve_ders_side(C, d, &c, a[4].x[0], side_of(left_u));
         if (status == ET_OK)
             status = judge_net_curve(&net, &c, a[4].x[0], left_u, d);
-    } else if (status == ET_OK && !of_curve && (status = et_request_surface(&s, request, 0)) == ET_OK) {
+    } else if (status == ET_OK) {
         status = et_exact_surface_partials(C, d, &s, a[6].x[0], a[7].x[0], side_of(left_u), side_of(left_v));
         if (status == ET_OK)
             status = judge_net_surface(&net, &s, a[6].x[0], a[7].x[0], left_u, left_v, d);
@@ -245,14 +245,12 @@ static et_status exact_normal(et_vec3 *n, const et_surface *s, double x, double 
 et_status judge_normal(judge_list *list, const et_request *request, int left_u, int left_v)
 {
     const double x = request->arg[6].x[0], y = request->arg[7].x[0];
-    et_surface s;
+    const et_surface s = judge_surface_of(request, 0);
     et_vec3 n, D[3];
     double B[9];
     judge_net net = { 0 };
-    et_status status = et_request_surface(&s, request, 0);
+    et_status status = et_exact_surface_partials(D, 1, &s, x, y, side_of(left_u), side_of(left_v));
 
-    if (status == ET_OK)
-        status = et_exact_surface_partials(D, 1, &s, x, y, side_of(left_u), side_of(left_v));
     if (status == ET_OK)
         status = exact_normal(&n, &s, x, y, left_u, left_v);
     if (status == ET_OK)

@@ -445,8 +445,9 @@ static void fits(judge_case *c, const et_request *request)
     data(c, &a[k + 6], a[k + 4].count, k == 1 ? a[k + 5].count : 1);
     if (k == 0 && a[4].count != a[5].count)
         invalid(c, "parameters and data differ in number");
-    const int ready = sites(c, &a[k + 2], a[k].count, &a[k + 4]);
-    if (!sites(c, &a[k + 3], a[k + 1].count, &a[k + 5]) || !ready)
+    /* What makes the one invalid stands against the other, too. */
+    (void)sites(c, &a[k + 2], a[k].count, &a[k + 4]);
+    if (!sites(c, &a[k + 3], a[k + 1].count, &a[k + 5]))
         return;
     if (k == 0) {
         if (a[4].count < (a[2].count - a[0].count - 1) * (a[3].count - a[1].count - 1))

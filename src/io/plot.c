@@ -2,6 +2,7 @@
 #include "etalon/base/rng.h"
 #include "etalon/base/size.h"
 #include "etalon/io/file.h"
+#include <errno.h>
 #include <math.h>
 #include <spawn.h>
 #include <stdio.h>
@@ -35,6 +36,13 @@ static void complaint(char *text, size_t size, FILE *errors)
     }
 }
 
+/* Room or memory: errno tells which is short. */
+static et_status no_temporary(et_message *message)
+{
+    return errno == ENOMEM ? et_status_fail(message, ET_ENOMEM, "out of memory")
+                           : et_status_fail(message, ET_EIO, "cannot write a temporary file for gnuplot");
+}
+
 static et_status spawn(pid_t *child, FILE *script, FILE *errors, FILE *picture)
 {
     char name[] = "gnuplot";
@@ -44,12 +52,12 @@ static et_status spawn(pid_t *child, FILE *script, FILE *errors, FILE *picture)
 
     if (posix_spawn_file_actions_init(&actions))
         return ET_ENOMEM;
-    failed = posix_spawn_file_actions_adddup2(&actions, fileno(script), STDIN_FILENO)
-             || posix_spawn_file_actions_adddup2(&actions, fileno(picture), STDOUT_FILENO)
-             || posix_spawn_file_actions_adddup2(&actions, fileno(errors), STDERR_FILENO)
-             || posix_spawnp(child, name, &actions, NULL, argument, environ);
+    failed = posix_spawn_file_actions_adddup2(&actions, fileno(script), STDIN_FILENO);
+    failed = failed ? failed : posix_spawn_file_actions_adddup2(&actions, fileno(picture), STDOUT_FILENO);
+    failed = failed ? failed : posix_spawn_file_actions_adddup2(&actions, fileno(errors), STDERR_FILENO);
+    failed = failed ? failed : posix_spawnp(child, name, &actions, NULL, argument, environ);
     posix_spawn_file_actions_destroy(&actions);
-    return failed ? ET_EIO : ET_OK;
+    return failed == ENOMEM ? ET_ENOMEM : failed ? ET_EIO : ET_OK;
 }
 
 /* Run the script, its output into the picture. */
@@ -59,11 +67,13 @@ static et_status run(FILE *script, FILE *picture, et_message *message)
     char reason[256];
     pid_t child = 0;
     int ended = -1;
-    et_status status = ET_EIO;
+    et_status status = ET_EIO, started;
 
     if (!errors || fflush(script) || ferror(script) || fseek(script, 0, SEEK_SET)) {
-        et_status_fail(message, ET_EIO, "cannot write a temporary file for gnuplot");
-    } else if (spawn(&child, script, errors, picture) || waitpid(child, &ended, 0) != child || (WIFEXITED(ended) && WEXITSTATUS(ended) == 127)) {
+        status = no_temporary(message);
+    } else if ((started = spawn(&child, script, errors, picture)) == ET_ENOMEM) {
+        status = et_status_fail(message, ET_ENOMEM, "out of memory");
+    } else if (started || waitpid(child, &ended, 0) != child || (WIFEXITED(ended) && WEXITSTATUS(ended) == 127)) {
         et_status_fail(message, ET_EIO, "gnuplot cannot be run: pictures need it in the PATH");
     } else if (!WIFEXITED(ended) || WEXITSTATUS(ended)) {
         complaint(reason, sizeof reason, errors);
@@ -88,7 +98,7 @@ static et_status begin(canvas *c, const char *path, int width, int height, et_me
 
     c->script = tmpfile();
     if (!c->script)
-        return et_status_fail(message, ET_EIO, "cannot write a temporary file for gnuplot");
+        return no_temporary(message);
     status = et_file_create(&c->file, path, message);
     if (status) {
         fclose(c->script);

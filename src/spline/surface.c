@@ -97,7 +97,8 @@ static size_t basis_work(const et_surface *s)
 
 size_t et_surface_work(const et_surface *s)
 {
-    return 3 * (s->p + 1) + 15 * (s->q + 1) + basis_work(s);
+    const size_t sums = 3 * (s->p + 1) + 15 * (s->q + 1), basis = basis_work(s);
+    return basis > SIZE_MAX - sums ? SIZE_MAX : sums + basis;
 }
 
 static room divide(const et_surface *s, double *work)

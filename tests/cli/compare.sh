@@ -52,5 +52,7 @@ for what, change in (('non', lambda t: t['rows'][0].update(error_non=1.0)), ('qe
     t = json.load(open('t.json')); change(t); json.dump(t, open(what + '.json', 'w'))
 P
 for what in non qe seed; do says "the baseline's $what is compared" 1 "differ" "$etalon" compare s.xyz $common --format csv -o x.csv --baseline $what.json; done
+python3 -c "import json; t = json.load(open('t.json')); t['rows'][2]['more'] = 1; json.dump(t, open('more.json', 'w'))"
+says "a baseline that knows more" 1 "row 3 differs from the baseline in its more" "$etalon" compare s.xyz $common --format csv -o x.csv --baseline more.json
 says "a size twice" 2 "twice" "$etalon" compare s.xyz --control 4x4,4x4
 finish

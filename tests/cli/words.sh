@@ -72,6 +72,28 @@ says 'evaluate: no surface' 4 'gone.json' "$etalon" evaluate gone.json uv
 says 'evaluate: JSON into a file' 2 'without --output' "$etalon" evaluate f.json uv --json --output x
 says 'evaluate: parameters that are not there' 4 'gone.txt' "$etalon" evaluate f.json gone.txt
 
+for o in crossover swap mutation CR; do for x in -0.1 1.1; do says "refine: --$o $x" 2 '' "$etalon" refine f.json --net n.json --with ga --$o $x; done; done
+for o in 'population 3' 'generations 0' 'tournament 0' 'spread -1' 'vmax -1' 'optimum-iterations 0' 'optimum-gap -1' 'K 1e999' 'seed 1x' 'F x'; do
+    says "refine: --$o" 2 "${o%% *}|population|must" "$etalon" refine f.json --net n.json --with ga --${o%% *} "${o#* }"
+done
+for o in 'iterations 0' 'alpha 0' 'alpha 1.5' 'radius -1' 'grid 1x5' 'grid 5x1' 'grid x5' 'grid 5x99999999999999999999999'; do
+    says "train: --$o" 2 "--${o%% *}" "$etalon" train s.xyz --${o%% *} "${o#* }"
+done
+for o in 'outliers -1' 'outliers 2' 'noise inf'; do says "generate: --$o" 2 '' "$etalon" generate cube --${o%% *} "${o#* }"; done
+for m in 5x1 0x5 5x0; do says "reconstruct: a mesh of $m" 2 '--mesh wants' "$etalon" reconstruct s.xyz --mesh $m -o x.d; done
+for o in 'timeout 1e7' 'timeout -1'; do says "conform: --$o" 2 'timeout' "$etalon" conform --adapter true --${o%% *} "${o#* }"; done
+for w in help -h; do want "$w" 0 "$etalon" $w; done
+"$etalon" --help > /dev/full 2> err; [ $? -eq 4 ] && pass 'help to a full disk' || fail 'help to a full disk'
+want 'a short help' 0 "$etalon" train -h
+want 'faithful, with a box of its own' 0 "$etalon" refine f.json --net n.json --with de --generations 2 --faithful --box 1e-4 -q
+want 'noise alone' 0 "$etalon" generate cube --size 5 --noise 0.01 -q -o c.xyz
+want 'outliers alone' 0 "$etalon" generate cube --size 5 --outliers 0.1 -q -o c.xyz
+want 'quiet, a fit' 0 "$etalon" fit n.json --control 5x5 -q
+for c in 'train s.xyz --grid 5x5' 'fit n.json --control 5x5' 'refine f.json --net n.json --with de --generations 2' 'generate cube --size 5'; do
+    "$etalon" $c -o - > out 2> err; [ $? -eq 0 ] && [ -s out ] && pass "${c%% *} to standard output" || fail "${c%% *} to standard output" "$(cat err)"
+    "$etalon" $c --json > /dev/full 2> err; [ $? -eq 4 ] && pass "${c%% *} --json to a full disk" || fail "${c%% *} --json to a full disk" "$(cat err)"
+done
+
 # ---- checkpoints and journals of something else ----
 "$etalon" refine f.json --net n.json --with pso --seed 3 --generations 2 -q --checkpoint p.state
 echo '[1]' > none.state
@@ -90,6 +112,21 @@ altered 'a generation below 0' "s['generation'] = '-1'" 'missing or malformed'
 altered 'draws that nobody made' "s['draws'] = '18446744073709551615'" 'more draws'
 altered 'a memory that lies' "s['remembered'][0] -= 1" 'not those of its points'
 altered 'another seed' "s['seed'] = 'x'" 'seed'
+altered 'a generation that is a number' "s['generation'] = 2" 'missing or malformed'
+altered 'evaluations that are none' "s['evaluations'] = ''" 'missing or malformed'
+altered 'draws with a tail' "s['draws'] += 'x'" 'missing or malformed'
+altered 'no best value' "del s['best_value']" 'missing or malformed'
+altered 'a value too few' "s['value'].pop()" 'missing or malformed'
+altered 'a history too short' "s['history'].pop()" 'missing or malformed'
+altered 'no start' "del s['x0']" 'begun from another surface'
+altered 'a memory too short' "s['memory'].pop()" 'member of the swarm'
+altered 'no remembered values' "del s['remembered']" 'member of the swarm'
+altered 'settings too few' "s['settings'].pop()" 'settings'
+altered 'a value that lies' "s['value'][0] -= 1" 'not those of its points'
+altered 'a best value that lies' "s['best_value'] -= 1" 'not those of its points'
+altered 'no format' "del s['format']" 'not a checkpoint'
+altered 'another format' "s['format'] = 'x'" 'not a checkpoint'
+altered 'another version' "s['version'] = 2" 'only version 1'
 altered 'no algorithm' "del s['algorithm']" 'algorithm'
 few="--grid 8x8 --control 5x5 --with de --runs 2 --generations 2 --seed 4"
 "$etalon" compare s.xyz $few --json --journal j > whole

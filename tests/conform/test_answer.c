@@ -178,9 +178,77 @@ verdict prop_answer_fast_refusals(gen *g)
     const bool accepted = made && (which ? et_surface_valid(&s) : et_curve_valid(&c));
     const bool ends = made && (which ? isfinite(r.arg[6].x[0]) && isfinite(r.arg[7].x[0]) : isfinite(r.arg[4].x[0]));
     const bool sides = r.arg[which ? 8 : 5].count <= 2 && r.arg[which ? 9 : 5].count <= 2;
+    et_reply reply;
     bool ok = gen_check(g, !accepted || !ends || !sides || validity != ET_INVALID, "invalid (%s), accepted", reason);
     ok = ok && gen_check(g, validity != ET_VALID || accepted, "valid, not accepted");
+    if (ok && gen_check(g, et_answer_fast(&reply, &r) == ET_OK, "not answered")) {
+        ok = gen_check(g, reply.kind != ET_REPLY_OK || accepted, "answered, not accepted (%s)", reason);
+        et_reply_free(&reply);
+    }
     gen_label(g, accepted ? "accepted" : "refused");
+    et_request_free(&r);
+    return ok ? PASS : FAIL;
+}
+
+/* What is no operation is refused, whatever its arguments. */
+verdict prop_answer_fast_no_operation(gen *g)
+{
+    answerer *const answer = gen_chance(g, 2) ? et_answer_exact : et_answer_fast;
+    et_request none;
+    et_reply reply;
+
+    memset(&none, 0, sizeof none);
+    none.op = (et_request_op)(ET_OPS + gen_upto(g, 3));
+    none.arg[0].count = (size_t)gen_upto(g, 9);
+    const bool ok = gen_check(g, answer(&reply, &none) == ET_OK && reply.kind == ET_REPLY_REFUSED && strcmp(reply.reason, "no such operation") == 0,
+                              "not refused");
+    et_reply_free(&reply);
+    return ok ? PASS : FAIL;
+}
+
+/* Data near the greatest double, to and fro: the control points of the surface through them are beyond it, and there is no surface to answer. */
+/* One case in 100. */
+verdict prop_answer_exact_beyond(gen *g)
+{
+    answerer *const answer = gen_chance(g, 2) ? et_answer_exact : et_answer_fast;
+    et_request r = kit_parse("approximate 3 1 5 2 5 2 10 "
+                             "0 0 0x1.fp1023 1 0 0x1.fp1023 0 1 -0x1.fp1023 1 1 -0x1.fp1023 0 2 0x1.fp1023 1 2 0x1.fp1023 "
+                             "0 3 -0x1.fp1023 1 3 -0x1.fp1023 0 4 0x1.fp1023 1 4 0x1.fp1023");
+    et_reply reply;
+    char reason[128];
+    bool ok = gen_check(g, et_judge_validity(reason, &r) == ET_VALID && answer(&reply, &r) == ET_OK, "answered");
+
+    ok = ok && gen_check(g, reply.kind == ET_REPLY_REFUSED && reply.reason[0] && reply.count == 0, "kind %d, %zu numbers: %s", (int)reply.kind,
+                         reply.count, reply.reason);
+    et_reply_free(&reply);
+    et_request_free(&r);
+    return ok ? PASS : FAIL;
+}
+
+/* Knots beyond the domain and knots that stand too often: functions without a place in the domain, whose control points are far away and do not
+ * matter. */
+/* One case in 50. */
+verdict prop_answer_fast_nowhere(gen *g)
+{
+#define FLAT "4 0 0 1 1 "
+#define NEAR "0 0 0 0 1 0 1 0 1 1 1 0 2 0 0 2 1 1 "
+#define FAR "0x1p1000 0 0 0x1p1000 1 0 "
+    static const char *const lines[] = {
+        "surface_error 1 1 6 0 0 1 1 1 2 " FLAT "8 " NEAR FAR "0 2 0x1p-2 0x1p-1 1 0x1p-1 2 1 1 1 0 0x1p-1 0x1p-2",
+        "surface_error 1 1 6 -1 0 0 0 1 1 " FLAT "8 " FAR NEAR "0 1 0x1p-1 1 0x1p-1 1 1 1 1",
+        "surface_error 1 1 5 0 0 1 1 1 " FLAT "6 0 0 0 0 1 0 1 0 1 1 1 0 " FAR "0 1 0x1p-2 1 0x1p-1 1 1 1 1",
+    };
+    et_request r = kit_parse(lines[gen_upto(g, 2)]);
+    et_truth truth;
+    et_judgement j;
+    et_reply reply;
+
+    if (!gen_check(g, et_judge_truth(&truth, &r) == ET_OK && truth.count == 2 && truth.validity == ET_IMPLEMENTATION_DEFINED, "no truth"))
+        return FAIL;
+    bool ok = gen_check(g, et_answer_fast(&reply, &r) == ET_OK && et_judge_reply(&j, &r, &truth, &reply) == ET_OK, "judged");
+    ok = ok && gen_check(g, reply.kind == ET_REPLY_OK && j.verdict <= ET_VERDICT_WITHIN_BOUND, "%s (%s)", et_judge_name(j.verdict), j.text);
+    et_reply_free(&reply);
+    et_judge_free(&truth);
     et_request_free(&r);
     return ok ? PASS : FAIL;
 }

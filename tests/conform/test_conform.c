@@ -1,6 +1,7 @@
 /* conform/conform: function tables with known faults are judged; the counts are those of the faults. */
 #include "etalon/conform/conform.h"
 #include "etalon/conform/answer.h"
+#include "conform/report.h"
 #include "gen.h"
 #include <math.h>
 #include <stdlib.h>
@@ -63,25 +64,6 @@ static et_conform_options choose(gen *g, size_t first, size_t second)
     o.seed = gen_upto(g, 1000);
     o.findings = (size_t)gen_upto(g, 2);
     return o;
-}
-
-static size_t count_of(const et_conform_report *r, et_request_op op, et_verdict v)
-{
-    size_t n = 0;
-
-    for (int c = 0; c < ET_CATEGORIES; c++)
-        n += r->count[op][c][v];
-    return n;
-}
-
-static size_t bad_of(const et_conform_report *r)
-{
-    size_t n = 0;
-
-    for (int op = 0; op < ET_OPS; op++)
-        for (int v = 0; v < ET_VERDICTS; v++)
-            n += et_judge_bad((et_verdict)v) ? count_of(r, (et_request_op)op, (et_verdict)v) : 0;
-    return n;
 }
 
 verdict prop_conform_defaults(gen *g)

@@ -1,6 +1,7 @@
 /* conform/conform: runs that are stopped anywhere, faults told once of each kind, what is undecided, programs that break within a block. */
 #include "etalon/conform/answer.h"
 #include "etalon/conform/conform.h"
+#include "conform/report.h"
 #include "gen.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -54,25 +55,6 @@ static et_conform_options ask_for(const et_request_op *ops, size_t n, unsigned l
     o.level = level;
     o.cases = 0;
     return o;
-}
-
-static size_t count_of(const et_conform_report *r, et_request_op op, et_verdict v)
-{
-    size_t n = 0;
-
-    for (int c = 0; c < ET_CATEGORIES; c++)
-        n += r->count[op][c][v];
-    return n;
-}
-
-static size_t bad_of(const et_conform_report *r)
-{
-    size_t n = 0;
-
-    for (int op = 0; op < ET_OPS; op++)
-        for (int v = 0; v < ET_VERDICTS; v++)
-            n += et_judge_bad((et_verdict)v) ? count_of(r, (et_request_op)op, (et_verdict)v) : 0;
-    return n;
 }
 
 /* A folder with schema.json and the vectors of one operation. */
@@ -133,8 +115,8 @@ static et_status step(void *at, size_t done, size_t total)
     return done <= total && p->calls++ < p->most ? ET_OK : ET_ESTOPPED;
 }
 
-/* Among more frozen vectors than are asked at once, while a fault is made small, or on the way to worse cases: a run that is stopped says so, and what it
- * tells are the faults of the whole run, or some of them. */
+/* Among more frozen vectors than are asked at once, while a fault is made small, or on the way to worse cases: a run that is stopped says so, and
+ * what it tells are the faults of the whole run, or some of them. */
 /* One case in 1000. */
 verdict prop_conform_run_stopped_anywhere(gen *g)
 {
@@ -166,8 +148,8 @@ verdict prop_conform_run_stopped_anywhere(gen *g)
             const et_status status = et_conform_run(&r, peer, &o, &task, &message);
             whole = k == 0 ? bad_of(&r) : whole;
             steps[level / 2] = k == 0 ? p.calls : steps[level / 2];
-            ok = gen_check(g, status == (k == 0 ? ET_OK : ET_ESTOPPED) && (k == 0 || message.text[0]), "level %u, %zu steps: status %d: %s", level, p.most,
-                           (int)status, message.text);
+            ok = gen_check(g, status == (k == 0 ? ET_OK : ET_ESTOPPED) && (k == 0 || message.text[0]), "level %u, %zu steps: status %d: %s", level,
+                           p.most, (int)status, message.text);
             ok = ok && gen_check(g, bad_of(&r) <= whole && (level == 1) == (whole > 0), "%zu faults of %zu", bad_of(&r), whole);
             et_conform_free(&r);
             et_peer_stop(peer);
@@ -176,7 +158,8 @@ verdict prop_conform_run_stopped_anywhere(gen *g)
     return ok ? PASS : FAIL;
 }
 
-#define TWICE(id, more) "{\"id\": \"" id "\", \"category\": \"plain\", \"validity\": \"valid\", \"request\": \"1 4 0 0 1024 1024 1000\", \"want\": [\"1\"], " \
+#define TWICE(id, more) \
+    "{\"id\": \"" id "\", \"category\": \"plain\", \"validity\": \"valid\", \"request\": \"1 4 0 0 1024 1024 1000\", \"want\": [\"1\"], " \
     "\"bound\": [\"0x0p+0\"], \"condition\": \"0x1p+0\"" more "}"
 
 /* One kind of fault with an issue and without, and in a relation: three to be told, each once. */
@@ -186,7 +169,8 @@ verdict prop_conform_run_told_once(gen *g)
     static const et_request_op ops[] = { ET_OP_SPAN, ET_OP_MULTIPLICITY };
     et_conform_options o = ask_for(ops, 2, 3);
     char folder[64];
-    bool ok = fill(g, folder, "span", TWICE("a", ", \"issue\": \"https://a\"") ", " TWICE("b", "") ", " TWICE("c", ", \"issue\": \"https://a\"") ", " TWICE("d", ""));
+    bool ok = fill(g, folder, "span", TWICE("a", ", \"issue\": \"https://a\"") ", " TWICE("b", "") ", "
+                   TWICE("c", ", \"issue\": \"https://a\"") ", " TWICE("d", ""));
 
     o.vectors = folder;
     o.findings = 100;
@@ -225,10 +209,11 @@ static et_status nothing_right(void *at, et_reply *reply, const et_request *requ
 verdict prop_conform_run_undecided(gen *g)
 {
     static const et_request_op ops[] = { ET_OP_PARAMETERS_GRID };
-    static const char vector[] = "{\"id\": \"undecided\", \"category\": \"plain\", \"validity\": \"valid\", \"request\": \"chord 4 4 16 0 0 0 0 0 0 -7 0 0 0 0 0 "
-        "3 0 0 3 0 0 0x1p+53 0 0 0 0 0 3 4 0 4 1 0 0x1.bffffffffffffp+55 0 0 0 1 0 3 -3 7 4 1 0 0x1.bffffffffffffp+55 1 0 0 2 0\", "
-        "\"want\": [\"0\", \"0x1p-2\", \"0x1p-1\", \"1\", \"0\", \"0x1p-2\", \"0x1p-1\", \"1\"], \"bound\": [\"0\", \"0x1p-10\", \"0x1p-10\", \"0\", \"0\", "
-        "\"0x1p-10\", \"0x1p-10\", \"0\"], \"condition\": \"0x1p+0\", \"issue\": \"https://a\"}";
+    static const char vector[] = "{\"id\": \"undecided\", \"category\": \"plain\", \"validity\": \"valid\", \"request\": "
+        "\"chord 4 4 16 0 0 0 0 0 0 -7 0 0 0 0 0 3 0 0 3 0 0 0x1p+53 0 0 0 0 0 3 4 0 4 1 0 0x1.bffffffffffffp+55 0 0 0 1 0 3 -3 7 4 1 0 "
+        "0x1.bffffffffffffp+55 1 0 0 2 0\", "
+        "\"want\": [\"0\", \"0x1p-2\", \"0x1p-1\", \"1\", \"0\", \"0x1p-2\", \"0x1p-1\", \"1\"], \"bound\": [\"0\", \"0x1p-10\", "
+        "\"0x1p-10\", \"0\", \"0\", \"0x1p-10\", \"0x1p-10\", \"0\"], \"condition\": \"0x1p+0\", \"issue\": \"https://a\"}";
     et_peer_table table = { et_answer_hello(0), nothing_right, NULL };
     et_conform_options o = ask_for(ops, 1, 1);
     et_message message = { "" };
@@ -278,8 +263,8 @@ verdict prop_conform_run_breaks(gen *g)
     if (!ok)
         return FAIL;
     ok = gen_check(g, et_conform_run(&r, peer, &o, NULL, &message) == ET_OK, "%s", message.text);
-    ok = ok && gen_check(g, count_of(&r, ET_OP_NET_COUNTS, ET_VERDICT_CRASH) == 8 && r.asked == 18 && r.skipped > 0, "%zu crashes, %zu asked, %zu skipped",
-                         count_of(&r, ET_OP_NET_COUNTS, ET_VERDICT_CRASH), r.asked, r.skipped);
+    const size_t crashes = count_of(&r, ET_OP_NET_COUNTS, ET_VERDICT_CRASH);
+    ok = ok && gen_check(g, crashes == 8 && r.asked == 18 && r.skipped > 0, "%zu crashes, %zu asked, %zu skipped", crashes, r.asked, r.skipped);
     ok = ok && gen_check(g, count_of(&r, ET_OP_NET_COUNTS, ET_VERDICT_WRONGLY_REFUSED) + r.refused_rightly == 10, "the replies are judged");
     et_conform_free(&r);
     et_peer_stop(peer);

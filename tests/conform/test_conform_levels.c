@@ -1,6 +1,7 @@
 /* conform/conform: the levels above the first, frozen vectors, programs that hang and end, and errors at every place. */
 #include "etalon/conform/answer.h"
 #include "etalon/conform/conform.h"
+#include "conform/report.h"
 #include "gen.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -72,25 +73,6 @@ static et_conform_options ask_for(const et_request_op *ops, size_t n)
         o.op[ops[k]] = 1;
     o.cases = 0;
     return o;
-}
-
-static size_t count_of(const et_conform_report *r, et_request_op op, et_verdict v)
-{
-    size_t n = 0;
-
-    for (int c = 0; c < ET_CATEGORIES; c++)
-        n += r->count[op][c][v];
-    return n;
-}
-
-static size_t bad_of(const et_conform_report *r)
-{
-    size_t n = 0;
-
-    for (int op = 0; op < ET_OPS; op++)
-        for (int v = 0; v < ET_VERDICTS; v++)
-            n += et_judge_bad((et_verdict)v) ? count_of(r, (et_request_op)op, (et_verdict)v) : 0;
-    return n;
 }
 
 /* ---- frozen vectors ---- */

@@ -391,6 +391,35 @@ verdict prop_peer_ask_unasked(gen *g)
     return ok ? PASS : FAIL;
 }
 
+/* A program that finds a file where it has been before. */
+typedef struct {
+    char path[64], command[600];
+    et_message message;
+    et_asked how;
+    et_request r;
+    et_peer *peer;
+} returning;
+
+static bool returning_new(gen *g, returning *c)
+{
+    c->how = ET_ASKED_REPLY;
+    return flag(g, c->path) && counts(g, &c->r, 2, 2);
+}
+
+/* It is started for the first time. */
+static bool returning_first(gen *g, returning *c)
+{
+    unlink(c->path);
+    return gen_check(g, begin(&c->peer, &c->how, c->command, 60, &c->message) == ET_OK, "%s: %s", c->command, c->message.text);
+}
+
+static verdict returning_end(returning *c, bool ok)
+{
+    unlink(c->path);
+    et_request_free(&c->r);
+    return ok ? PASS : FAIL;
+}
+
 /* A program that starts once only, and what it does when it is started again. */
 /* One case in 1000. */
 verdict prop_peer_ask_again(gen *g)
@@ -398,27 +427,20 @@ verdict prop_peer_ask_again(gen *g)
     static const struct { const char *again, *says; } all[] = {
         { "exit 3", "does not start any more: it ended with exit code 3" }, { "exit 127", "cannot start" },
         { "read l; echo hello; read l", "does not start any more: hello: " } };
-    char path[64], command[300];
-    et_message message;
-    et_asked how = ET_ASKED_REPLY;
-    et_request r;
+    returning c;
 
-    if (!flag(g, path) || !counts(g, &r, 2, 2))
+    if (!returning_new(g, &c))
         return FAIL;
     bool ok = true;
     for (size_t k = 0; ok && k < sizeof all / sizeof *all; k++) {
-        et_peer *peer;
-        snprintf(command, sizeof command, "[ -e %s ] && { %s; }; : > %s; read l; echo '" HELLO "'; read l; exit 1", path, all[k].again, path);
-        unlink(path);
-        ok = gen_check(g, begin(&peer, &how, command, 60, &message) == ET_OK, "%s: %s", command, message.text);
-        ok = ok && gen_check(g, ask(peer, &how, &r, &message) == ET_OK && how == ET_ASKED_CRASH, "it ends: %s", message.text);
-        ok = ok && gen_check(g, ask(peer, &how, &r, &message) == ET_EIO, "it does not come back: %s", message.text)
-             && says(g, command, &message, all[k].says);
-        et_peer_stop(peer);
+        snprintf(c.command, sizeof c.command, "[ -e %s ] && { %s; }; : > %s; read l; echo '" HELLO "'; read l; exit 1", c.path, all[k].again, c.path);
+        ok = returning_first(g, &c);
+        ok = ok && gen_check(g, ask(c.peer, &c.how, &c.r, &c.message) == ET_OK && c.how == ET_ASKED_CRASH, "it ends: %s", c.message.text);
+        ok = ok && gen_check(g, ask(c.peer, &c.how, &c.r, &c.message) == ET_EIO, "it does not come back: %s", c.message.text)
+             && says(g, c.command, &c.message, all[k].says);
+        et_peer_stop(c.peer);
     }
-    unlink(path);
-    et_request_free(&r);
-    return ok ? PASS : FAIL;
+    return returning_end(&c, ok);
 }
 
 /* Whatever is asked, a short reply has room; a request for more than any reply may hold, too. */
@@ -492,26 +514,19 @@ verdict prop_peer_changed_each(gen *g)
         { "0 ok protocol=1 name=a version=1 degree=3 order=2 rational=1 sides=any,left knot_tolerance=0x1p-20 ops=span,fold", 1 },
         { "0 ok protocol=1 name=a version=1 degree=3 order=2 rational=1 sides=any,left knot_tolerance=0x1p-20 ops=span,basis", 1 },
     };
-    char path[64], command[600];
-    et_message message;
-    et_asked how = ET_ASKED_REPLY;
-    et_request r;
+    returning c;
 
-    if (!flag(g, path) || !counts(g, &r, 2, 2))
+    if (!returning_new(g, &c))
         return FAIL;
     bool ok = true;
     for (size_t k = 0; ok && k < sizeof all / sizeof *all; k++) {
-        et_peer *peer;
-        snprintf(command, sizeof command, "read l; if [ -e %s ]; then echo '%s'; else : > %s; echo '" BASE "'; fi; read l; exit 1", path, all[k].again,
-                 path);
-        unlink(path);
-        ok = gen_check(g, begin(&peer, &how, command, 60, &message) == ET_OK, "%s: %s", command, message.text);
+        snprintf(c.command, sizeof c.command, "read l; if [ -e %s ]; then echo '%s'; else : > %s; echo '" BASE "'; fi; read l; exit 1", c.path, all[k].again,
+                 c.path);
+        ok = returning_first(g, &c);
         for (int n = 0; ok && n < 3; n++)
-            ok = gen_check(g, et_peer_changed(peer) == (n > 1 ? all[k].changed : 0), "'%s' after %d ends", all[k].again, n)
-                 && gen_check(g, ask(peer, &how, &r, &message) == ET_OK, "asked: %s", message.text);
-        et_peer_stop(peer);
+            ok = gen_check(g, et_peer_changed(c.peer) == (n > 1 ? all[k].changed : 0), "'%s' after %d ends", all[k].again, n)
+                 && gen_check(g, ask(c.peer, &c.how, &c.r, &c.message) == ET_OK, "asked: %s", c.message.text);
+        et_peer_stop(c.peer);
     }
-    unlink(path);
-    et_request_free(&r);
-    return ok ? PASS : FAIL;
+    return returning_end(&c, ok);
 }

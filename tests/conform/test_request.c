@@ -329,6 +329,42 @@ verdict prop_request_parse_words(gen *g)
     return ok ? PASS : FAIL;
 }
 
+/* Of a long word the sentence shows forty characters. */
+verdict prop_request_parse_long(gen *g)
+{
+    const size_t length = (size_t)gen_between(g, 38, 90), place = (size_t)gen_upto(g, 2);
+    char word[100], line[160], want[160];
+    et_message message = { "" };
+    et_request r;
+
+    for (size_t k = 0; k < length; k++)
+        word[k] = (char)('a' + k % 26);
+    word[length] = '\0';
+    snprintf(line, sizeof line, place == 0 ? "%s" : place == 1 ? "net_counts %s 2" : "net_counts 2 2 %s", word);
+    snprintf(want, sizeof want, place == 0 ? "'%.40s' is no operation" : place == 1 ? "nx: '%.40s' is not a count" : "'%.40s' is one word too many",
+             word);
+    const et_status status = et_request_parse(&r, line, &message);
+    return gen_check(g, status == ET_EFORMAT && strcmp(message.text, want) == 0, "%s", message.text) ? PASS : FAIL;
+}
+
+/* Numbers and points are said to be missing before anything is taken for them. */
+verdict prop_request_parse_short(gen *g)
+{
+    static const uint64_t most = UINT64_C(1) << 53;
+    const uint64_t n = gen_chance(g, 2) ? most - gen_upto(g, 9) : 3 + gen_upto(g, 999);
+    const bool points = gen_upto(g, 1);
+    char line[160], want[160];
+    et_message message = { "" };
+    et_request r;
+
+    snprintf(line, sizeof line, points ? "parameters chord %llu 1 2" : "multiplicity %llu 1 2", (unsigned long long)n);
+    snprintf(want, sizeof want, points ? "points: the line ends before its %llu points" : "u: the line ends before its %llu numbers",
+             (unsigned long long)n);
+    const et_status status = et_request_parse(&r, line, &message);
+    const bool soon = !points && n <= 4;                      /* as many characters are left */
+    return gen_check(g, status == ET_EFORMAT && (soon || strcmp(message.text, want) == 0), "%s", message.text) ? PASS : FAIL;
+}
+
 verdict prop_request_print(gen *g)
 {
     char line[LINE], *printed = NULL;
@@ -428,6 +464,25 @@ static bool is_text(const row *r, const char *text)
     for (size_t i = 0; ok && i < r->nwant; i++)
         ok = row_is_size(r, i, (size_t)(unsigned char)text[i]);
     return ok;
+}
+
+/* Knots of which there are so many that their control points cannot be counted: no such surface, and nothing is looked at but counts. */
+verdict prop_request_surface_many(gen *g)
+{
+    const size_t p = (size_t)gen_upto(g, 3), q = (size_t)gen_upto(g, 3), half = (size_t)1 << (sizeof(size_t) * 4);
+    et_surface s, was;
+    et_request r;
+
+    memset(&s, 7, sizeof s);
+    was = s;
+    memset(&r, 0, sizeof r);
+    r.op = ET_OP_SEAM_GAP;
+    r.arg[0].count = p;
+    r.arg[1].count = q;
+    r.arg[2].count = half * (1 + (size_t)gen_upto(g, 5)) + p + 1;
+    r.arg[3].count = half * (1 + (size_t)gen_upto(g, 5)) + q + 1;
+    r.arg[4].count = (r.arg[2].count - p - 1) * (r.arg[3].count - q - 1);      /* what is left of the product */
+    return gen_check(g, et_request_surface(&s, &r, 0) == ET_EFORMAT && memcmp(&s, &was, sizeof s) == 0, "a surface") ? PASS : FAIL;
 }
 
 verdict gold_request_name(const row *r)

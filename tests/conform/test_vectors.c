@@ -179,6 +179,8 @@ static const struct { const char *from, *to; bool whole; } wrongs[] = {
     { "\"validity\": \"valid\"", "\"validity\": \"invalid\"", false }, { "\"request\": \"1 5", "\"request\": \"1 6", false }, { "\"request\": \"1 5",
             "\"request\": \"1 x", false },
     { " any\"", " any any\"", false }, { " any\"", "\"", false }, { "\"request\": ", "\"requests\": ", false },
+    { "\"request\": \"1 5 0 0 0x1p-1 1 1 3 0 0 0 1 0 0 1 1 0 0 0x1p-1 any\"", "\"request\": 7", false },
+    { "\"request\": \"1 5 0 0 0x1p-1 1 1 3 0 0 0 1 0 0 1 1 0 0 0x1p-1 any\", ", "", false },
     { "\"want\": [\"0x1p+0\", ", "\"want\": [", false }, { "\"want\": [", "\"want\": [\"1\", ", false }, { "\"want\": [\"0x1p+0\"", "\"want\": [1",
             false },
     { "\"want\": [\"0x1p+0\"", "\"want\": [\"\"", false }, { "\"want\": [\"0x1p+0\"", "\"want\": [\"0x1p+0 \"", false }, { "\"want\": [\"0x1p+0\"",

@@ -2,7 +2,10 @@
  *
  * ET_FAIL_ALLOC=K  the K-th allocation returns null; ET_FAIL_LASTING=1: and all after it
  * ET_FAIL_WRITE=K  the K-th call of write, fsync, rename, open for writing, ftruncate and the like fails as on a full disk
- * ET_FAIL_TELL=F   on exit both counts are written to the file F: `allocations writes`
+ * ET_FAIL_READ=K   the K-th call of fread fails as on a disk that cannot be read
+ * ET_FAIL_SLOW=K    the K-th of these calls makes the file `slow` and takes three seconds, whatever signals come
+ * ET_FAIL_TELL=F   on exit the counts are written to the file F: `allocations writes reads`; then, a line each, which of them were the first from their place in
+ *                  the program: `a K` and `w K`, where a place is the chain of the program's calls that led there
  *
  * Counted are the calls made from the program itself and from the C library on its behalf, but not those of libraries that are known to end the
  * program when memory is short (FLINT, MPFR, GMP) nor those of the loader.  Writes to standard error do not count: messages must get through.
@@ -10,6 +13,7 @@
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
+#include <execinfo.h>
 #include <fcntl.h>
 #include <link.h>
 #include <stdarg.h>
@@ -19,6 +23,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/types.h>
+#include <time.h>
 #include <unistd.h>
 
 extern void *__libc_malloc(size_t);
@@ -26,12 +31,14 @@ extern void *__libc_calloc(size_t, size_t);
 extern void *__libc_realloc(void *, size_t);
 extern void *__libc_memalign(size_t, size_t);
 
-enum { RANGES = 16 };
-static struct { uintptr_t from, to; } range[RANGES];
+enum { RANGES = 16, PLACES = 4096, DEPTH = 24 };
+static struct { uintptr_t from, to; int program; } range[RANGES];
 static int ranges;
 static int ready;
-static unsigned long allocations, writes, fail_alloc, fail_write;
+static unsigned long allocations, writes, reads, fail_alloc, fail_write, fail_read, slow;
 static int lasting;
+static struct { uintptr_t chain; unsigned long first; char kind; } place[PLACES];
+static const char *tell_to;
 
 static int counts_as_ours(const char *name)
 {
@@ -45,6 +52,7 @@ static int note(struct dl_phdr_info *info, size_t size, void *data)
         if (info->dlpi_phdr[k].p_type == PT_LOAD && (info->dlpi_phdr[k].p_flags & PF_X)) {
             range[ranges].from = info->dlpi_addr + info->dlpi_phdr[k].p_vaddr;
             range[ranges].to = range[ranges].from + info->dlpi_phdr[k].p_memsz;
+            range[ranges].program = info->dlpi_name[0] == '\0';
             ranges++;
         }
     return 0;
@@ -66,26 +74,60 @@ void et_fail_off(void)
 
 static void tell(void)
 {
-    const char *path = getenv("ET_FAIL_TELL");
-    const unsigned long a = allocations, w = writes;
+    const unsigned long a = allocations, w = writes, r = reads;
     FILE *f;
 
     ready = 0;
-    f = path ? fopen(path, "w") : NULL;
+    f = tell_to ? fopen(tell_to, "w") : NULL;
     if (f) {
-        fprintf(f, "%lu %lu\n", a, w);
+        fprintf(f, "%lu %lu %lu\n", a, w, r);
+        for (int k = 0; k < PLACES; k++)
+            if (place[k].kind)
+                fprintf(f, "%c %lu\n", place[k].kind, place[k].first);
         fclose(f);
     }
 }
 
 __attribute__((constructor)) static void begin(void)
 {
+    static const char *const names[] = { "ET_FAIL_ALLOC", "ET_FAIL_WRITE", "ET_FAIL_READ", "ET_FAIL_SLOW", "ET_FAIL_LASTING", "ET_FAIL_TELL" };
+    void *first[1];
+
     dl_iterate_phdr(note, NULL);
+    tell_to = getenv("ET_FAIL_TELL") ? strdup(getenv("ET_FAIL_TELL")) : NULL;
+    (void)backtrace(first, 1);           /* the first call allocates */
     fail_alloc = setting("ET_FAIL_ALLOC");
     fail_write = setting("ET_FAIL_WRITE");
+    fail_read = setting("ET_FAIL_READ");
+    slow = setting("ET_FAIL_SLOW");
     lasting = setting("ET_FAIL_LASTING") != 0;
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        (void)unsetenv(names[k]);        /* what the program starts is left alone */
     atexit(tell);
     ready = 1;
+}
+
+/* A loop over the same calls is one place; with OMP_NUM_THREADS=1, as counts must be, nobody else is here. */
+static void note_place(char kind, unsigned long n)
+{
+    void *caller[DEPTH];
+    uintptr_t chain = (uintptr_t)kind;
+
+    ready = 0;
+    for (int k = 0, depth = backtrace(caller, DEPTH); k < depth; k++)
+        for (int r = 0; r < ranges; r++)
+            if (range[r].program && range[r].from <= (uintptr_t)caller[k] && (uintptr_t)caller[k] < range[r].to)
+                chain = (chain ^ (uintptr_t)caller[k]) * (uintptr_t)0x9e3779b97f4a7c15u;
+    ready = 1;
+    for (size_t tried = 0, k = chain >> 20; tried < PLACES; tried++, k++)
+        if (!place[k % PLACES].kind || place[k % PLACES].chain == chain) {
+            if (!place[k % PLACES].kind) {
+                place[k % PLACES].kind = kind;
+                place[k % PLACES].chain = chain;
+                place[k % PLACES].first = n;
+            }
+            return;
+        }
 }
 
 static int falls(unsigned long *count, unsigned long at, const void *caller)
@@ -95,6 +137,8 @@ static int falls(unsigned long *count, unsigned long at, const void *caller)
     for (int k = 0; k < ranges; k++)
         if (range[k].from <= (uintptr_t)caller && (uintptr_t)caller < range[k].to) {
             const unsigned long n = __atomic_add_fetch(count, 1, __ATOMIC_RELAXED);
+            if (tell_to)
+                note_place(count == &writes ? 'w' : count == &reads ? 'r' : 'a', n);
             return at != 0 && (n == at || (lasting && n > at));
         }
     return 0;
@@ -138,9 +182,26 @@ void *aligned_alloc(size_t align, size_t n)
 
 /* ---- what writes --------------------------------------------------------------------------------------------------------------- */
 
+static void sleep_through(void)
+{
+    struct timespec left = { 3, 0 };
+    FILE *f;
+
+    slow = 0;
+    f = fopen("slow", "w");
+    if (f)
+        fclose(f);
+    while (nanosleep(&left, &left) != 0)
+        ;
+}
+
 static int full(const void *caller)
 {
-    if (!falls(&writes, fail_write, caller))
+    const int fails = falls(&writes, fail_write, caller);
+
+    if (ready && slow && writes >= slow)
+        sleep_through();
+    if (!fails)
         return 0;
     errno = ENOSPC;
     return 1;
@@ -193,6 +254,37 @@ size_t fwrite(const void *data, size_t size, size_t n, FILE *f)
         return real(data, size, n, f);
     f->_flags |= 0x20;                   /* glibc's _IO_ERR_SEEN: ferror() must know */
     return 0;
+}
+
+size_t fread(void *data, size_t size, size_t n, FILE *f)
+{
+    static size_t (*real)(void *, size_t, size_t, FILE *);
+
+    if (!real)
+        real = (size_t(*)(void *, size_t, size_t, FILE *))dlsym(RTLD_NEXT, "fread");
+    if (!falls(&reads, fail_read, __builtin_return_address(0)))
+        return real(data, size, n, f);
+    f->_flags |= 0x20;
+    errno = EIO;
+    return 0;
+}
+
+int ftruncate(int fd, off_t length)
+{
+    static int (*real)(int, off_t);
+
+    if (!real)
+        real = (int (*)(int, off_t))dlsym(RTLD_NEXT, "ftruncate");
+    return full(__builtin_return_address(0)) ? -1 : real(fd, length);
+}
+
+FILE *tmpfile(void)
+{
+    static FILE *(*real)(void);
+
+    if (!real)
+        real = (FILE * (*)(void)) dlsym(RTLD_NEXT, "tmpfile");
+    return full(__builtin_return_address(0)) ? NULL : real();
 }
 
 int fsync(int fd)

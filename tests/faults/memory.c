@@ -162,12 +162,18 @@ int __wrap_posix_spawnattr_setsigmask(spawn_attributes *a, const sigset_t *set);
 
 char *__wrap_strdup(const char *text)
 {
-    return refused() ? NULL : hold(__real_strdup(text));
+    if (!refused())
+        return hold(__real_strdup(text));
+    errno = ENOMEM;
+    return NULL;
 }
 
 locale_t __wrap_newlocale(int mask, const char *name, locale_t base)
 {
-    return refused() ? (locale_t)0 : __real_newlocale(mask, name, base);
+    if (!refused())
+        return __real_newlocale(mask, name, base);
+    errno = ENOMEM;
+    return (locale_t)0;
 }
 
 int __wrap_posix_spawn_file_actions_init(spawn_files *a)
@@ -608,6 +614,23 @@ static et_status ga_step(void *o) { (void)o; return search_run(et_ga_step); }
 static et_status de_step(void *o) { (void)o; return search_run(et_de_step); }
 static et_status pso_step(void *o) { (void)o; return search_run(et_pso_step); }
 static et_status optimum(void *o) { return et_optimum_find(&worked, o, points, NULL, 0, data, NOV, NULL, NULL, NULL); }
+/* All parameters in the first quarter of the domain: not every control point is determined. */
+static et_status optimum_bunched(void *o)
+{
+    static double near[2][SIDE];
+    const et_fit was = worked;
+
+    for (size_t i = 0; i < net.nx; i++)
+        near[0][i] = 0.25 * fit.s[0][i];
+    for (size_t j = 0; j < net.ny; j++)
+        near[1][j] = 0.25 * fit.r[0][j];
+    worked.s[0] = worked.s[1] = near[0];
+    worked.r[0] = worked.r[1] = near[1];
+    const et_status status = et_optimum_find(&worked, o, points, NULL, 0, data, NOV, NULL, NULL, NULL);
+    memcpy(worked.s, was.s, sizeof was.s);
+    memcpy(worked.r, was.r, sizeof was.r);
+    return status;
+}
 static et_status optimum_bound(void *o) { return et_optimum_bound(o, data, NOV, &fit, data); }
 
 static et_status cloud_read(void *o) { return et_cloud_read(o, cloud_path, NULL); }
@@ -881,7 +904,8 @@ static const struct { const char *name; et_status (*call)(void *out); void (*rel
     { "json_write_net", net_write, NULL, 0, 0 },
     { "objective_new", objective_new, free_objective, sizeof(et_objective *), 0 }, { "search_start", search_start, free_search, sizeof(et_search), 0 },
     { "ga_step", ga_step, NULL, 0, 0 }, { "de_step", de_step, NULL, 0, 0 }, { "pso_step", pso_step, NULL, 0, 0 },
-    { "optimum_find", optimum, NULL, sizeof(et_optimum_result), 0 }, { "optimum_bound", optimum_bound, NULL, sizeof(double), 0 },
+    { "optimum_find", optimum, NULL, sizeof(et_optimum_result), 0 }, { "optimum_find bunched", optimum_bunched, NULL, sizeof(et_optimum_result), 0 },
+    { "optimum_bound", optimum_bound, NULL, sizeof(double), 0 },
     { "cloud_read", cloud_read, free_cloud, sizeof(et_cloud), 1 }, { "cloud_write", cloud_write, NULL, 0, 0 },
     { "json_read_net", net_read, free_net, sizeof(et_net_file), 0 }, { "json_read_surface", surface_read, free_surface_file, sizeof(et_surface_file), 0 },
     { "iges_write", iges, NULL, 0, 0 }, { "tessellation_of", tessellation, free_tessellation, sizeof(et_tessellation), 0 },

@@ -194,6 +194,8 @@ static bool header_is(walk *w, const et_surface *s)
         closed_u = closed_u && s->u[k] == s->u[0] && s->u[s->nu + k] == s->u[s->nu];
     for (size_t k = 0; k <= s->q; k++)
         closed_v = closed_v && s->v[k] == s->v[0] && s->v[s->nv + k] == s->v[s->nv];
+    closed_u = closed_u && s->u[s->p + 1] != s->u[0] && s->u[s->nu - 1] != s->u[s->nu];
+    closed_v = closed_v && s->v[s->q + 1] != s->v[0] && s->v[s->nv - 1] != s->v[s->nv];
     ok = next_is_size(w, 128) && next_is_size(w, s->nu - 1) && next_is_size(w, s->nv - 1) && next_is_size(w, s->p) && next_is_size(w, s->q);
     ok = ok && next_is_size(w, closed_u) && next_is_size(w, closed_v) && next_is_size(w, s->weights ? 0 : 1);
     return ok && next_is_size(w, 0) && next_is_size(w, 0);
@@ -262,6 +264,20 @@ static bool refuses_bad(gen *g, const char *path, const et_shell *shell, const e
     return gen_check(g, ok, "a bad argument was taken");
 }
 
+/* At one end of one direction of a view a knot too few for a clamped one, or one too many: the curves do not end in their control points. */
+static void unclamp(gen *g, et_shell *shell)
+{
+    et_surface *const s = &shell->view[gen_upto(g, 1)];
+    const bool along_u = gen_upto(g, 1), last = gen_upto(g, 1), few = gen_upto(g, 1);
+    double *const t = along_u ? s->u : s->v;
+    const size_t p = along_u ? s->p : s->q, n = along_u ? s->nu : s->nv;
+
+    if (few)
+        t[last ? n + p : 0] += last ? 0.5 : -0.5;
+    else if (n > p + 1)
+        t[last ? n - 1 : p + 1] = t[last ? n : p];
+}
+
 verdict prop_iges_write(gen *g)
 {
     char path[256], *text = NULL;
@@ -271,7 +287,11 @@ verdict prop_iges_write(gen *g)
     size_t size = 0;
     bool ok;
 
-    if (some_shell(g, &shell, !gen_chance(g, 4)) || et_shell_copy(&own, &shell))
+    if (some_shell(g, &shell, !gen_chance(g, 4)))
+        return SKIP;
+    if (gen_chance(g, 3))
+        unclamp(g, &shell);
+    if (et_shell_copy(&own, &shell))
         return et_shell_free(&shell), SKIP;
     for (size_t view = 0; view < 2; view++)
         et_frame_from_unit(own.view[view].points, own.view[view].nu * own.view[view].nv, &frame);

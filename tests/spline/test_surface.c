@@ -303,6 +303,24 @@ verdict prop_surface_ders(gen *g)
     return ok ? PASS : FAIL;
 }
 
+/* All points at once are those one by one.  It frees the surface. */
+static verdict points_alike(gen *g, et_surface *s, const double *u, const double *v, size_t n)
+{
+    static et_vec3 S[POINTS];
+    double *work = surface_room(s);
+    bool ok = gen_check(g, n <= POINTS && et_surface_valid(s), "not valid");
+    if (ok) {
+        et_surface_points(S, s, u, v, n, work, et_surface_work(s));
+    }
+    for (size_t k = 0; ok && k < n; k++) {
+        et_vec3 P = et_surface_point(s, u[k], v[k], work, et_surface_work(s));
+        ok = gen_check(g, same_point(S[k], P), "point %zu, (%a, %a): (%a, %a, %a) for (%a, %a, %a)", k, u[k], v[k], S[k].x, S[k].y, S[k].z, P.x, P.y, P.z);
+    }
+    free(work);
+    et_surface_free(s);
+    return ok ? PASS : FAIL;
+}
+
 /* Lengths around blocks and tables; most parameters are made, not drawn, and some drawn ones are hard. */
 verdict prop_surface_points(gen *g)
 {
@@ -344,7 +362,6 @@ verdict prop_surface_points(gen *g)
 verdict prop_surface_points_crowded(gen *g)
 {
     static double u[POINTS], v[POINTS];
-    static et_vec3 S[POINTS];
     et_surface s;
     size_t nu = 4 + (size_t)gen_between(g, 4, 24), crowd = (size_t)gen_upto(g, 900);
     double at = 0.25 + 0.5 * gen_real(g, 0.0, 1.0);
@@ -364,23 +381,13 @@ verdict prop_surface_points_crowded(gen *g)
         u[k] = k < crowd ? at + (double)k * 0x1p-20 : k % 97 == 0 ? s.u[k % (nu + 4)] : (double)k / POINTS;
         v[k] = k % 89 == 0 ? s.v[k % 9] : -3.0 + 8.0 * (double)(k * 77 % POINTS) / POINTS;
     }
-    double *work = surface_room(&s);
-    et_surface_points(S, &s, u, v, POINTS, work, et_surface_work(&s));
-    bool ok = gen_check(g, et_surface_valid(&s), "not valid");
-    for (size_t k = 0; ok && k < POINTS; k++) {
-        et_vec3 P = et_surface_point(&s, u[k], v[k], work, et_surface_work(&s));
-        ok = gen_check(g, same_point(S[k], P), "point %zu, (%a, %a): %a for %a", k, u[k], v[k], S[k].x, P.x);
-    }
-    free(work);
-    et_surface_free(&s);
-    return ok ? PASS : FAIL;
+    return points_alike(g, &s, u, v, POINTS);
 }
 
 /* A domain so narrow that cells to its width overflow: no table, and the same points. */
 verdict prop_surface_points_narrow(gen *g)
 {
     static double u[POINTS], v[POINTS];
-    static et_vec3 S[POINTS];
     et_surface s;
     bool across = gen_upto(g, 1) == 1;
     double step = ldexp(1.0, -1022 + (int)gen_upto(g, 12));
@@ -399,16 +406,7 @@ verdict prop_surface_points_narrow(gen *g)
         u[k] = s.u[6] * ((double)(k % 41) / 40.0);
         v[k] = s.v[6] * ((double)(k * 7 % 64) / 64.0);
     }
-    double *work = surface_room(&s);
-    et_surface_points(S, &s, u, v, POINTS, work, et_surface_work(&s));
-    bool ok = gen_check(g, et_surface_valid(&s), "not valid");
-    for (size_t k = 0; ok && k < POINTS; k++) {
-        et_vec3 P = et_surface_point(&s, u[k], v[k], work, et_surface_work(&s));
-        ok = gen_check(g, same_point(S[k], P), "point %zu, (%a, %a): %a for %a", k, u[k], v[k], S[k].x, P.x);
-    }
-    free(work);
-    et_surface_free(&s);
-    return ok ? PASS : FAIL;
+    return points_alike(g, &s, u, v, POINTS);
 }
 
 /* Blocks of nothing but ends, over knots whose distance times its reciprocal is not 1: the control points of the corners all the same. */
@@ -450,7 +448,6 @@ verdict prop_surface_points_ends(gen *g)
 verdict prop_surface_points_zeros(gen *g)
 {
     double u[40], v[40];
-    et_vec3 S[40];
     et_surface s;
     bool right = gen_upto(g, 1) == 1, across = gen_upto(g, 1) == 1, negative = gen_upto(g, 1) == 1;
     if (et_surface_new(&s, 3, 3, 4, 4, 0) != ET_OK) {
@@ -468,16 +465,7 @@ verdict prop_surface_points_zeros(gen *g)
         u[k] = across ? other : zero;
         v[k] = across ? zero : other;
     }
-    double *work = surface_room(&s);
-    et_surface_points(S, &s, u, v, 40, work, et_surface_work(&s));
-    bool ok = true;
-    for (size_t k = 0; ok && k < 40; k++) {
-        et_vec3 P = et_surface_point(&s, u[k], v[k], work, et_surface_work(&s));
-        ok = gen_check(g, same_point(S[k], P), "point %zu, (%a, %a): (%a, %a, %a) for (%a, %a, %a)", k, u[k], v[k], S[k].x, S[k].y, S[k].z, P.x, P.y, P.z);
-    }
-    free(work);
-    et_surface_free(&s);
-    return ok ? PASS : FAIL;
+    return points_alike(g, &s, u, v, 40);
 }
 
 /* More knots than the table's numbers count: none then. */
@@ -485,7 +473,6 @@ verdict prop_surface_points_zeros(gen *g)
 verdict prop_surface_points_many(gen *g)
 {
     static double u[POINTS], v[POINTS];
-    static et_vec3 S[POINTS];
     et_surface s;
     size_t n = 600, nu = UINT16_MAX + (size_t)gen_upto(g, 1000);
     if (et_surface_new(&s, 3, 3, nu, 4, 0) != ET_OK) {
@@ -504,16 +491,7 @@ verdict prop_surface_points_many(gen *g)
         u[k] = (double)(nu - 3) * ((double)k / (double)(n - 1));
         v[k] = (double)(k % 9) / 8.0;
     }
-    double *work = surface_room(&s);
-    et_surface_points(S, &s, u, v, n, work, et_surface_work(&s));
-    bool ok = true;
-    for (size_t k = 0; ok && k < n; k++) {
-        et_vec3 P = et_surface_point(&s, u[k], v[k], work, et_surface_work(&s));
-        ok = gen_check(g, same_point(S[k], P), "point %zu, (%a, %a): %a for %a", k, u[k], v[k], S[k].x, P.x);
-    }
-    free(work);
-    et_surface_free(&s);
-    return ok ? PASS : FAIL;
+    return points_alike(g, &s, u, v, n);
 }
 
 verdict prop_surface_grid(gen *g)
