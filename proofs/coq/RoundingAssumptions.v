@@ -1,5 +1,5 @@
 (* What the theorems on rounding rest on; the output is golden. *)
-From Etalon Require Import Rounding RoundingBasis Binary64 Tie.
+From Etalon Require Import Rounding RoundingBasis Binary64 DoubleDouble Tie.
 Print Assumptions basis_at_within.
 Print Assumptions basis_at_sum.
 Print Assumptions eval_within.
@@ -10,3 +10,5 @@ Print Assumptions basis64_within.
 Print Assumptions model_is_code.
 Print Assumptions processor_within.
 Print Assumptions processor_within_knots.
+Print Assumptions two_sum_exact.
+Print Assumptions two_product_exact.
