@@ -664,7 +664,7 @@ static et_status ask(void *context, et_reply *reply, const et_request *q)
 }
 
 /* Right answers pass every relation; wrong ones do not, nor refusals, infinities, or missing numbers. */
-/* One case in 8. */
+/* One case in 16. */
 verdict prop_campaign_relate(gen *g)
 {
     const et_hello h = et_answer_hello(1);

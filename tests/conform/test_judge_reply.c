@@ -366,7 +366,7 @@ verdict prop_judge_reply_removal(gen *g)
 }
 
 /* The same of surfaces: inserted by the exact layer, removed by the fast one; then a control point is moved. */
-/* One case in 3. */
+/* One case in 6. */
 verdict prop_judge_reply_removal_surface(gen *g)
 {
     et_request r;

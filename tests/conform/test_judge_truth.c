@@ -273,6 +273,7 @@ verdict prop_judge_truth_points(gen *g)
 }
 
 /* Function i of degree p is the curve whose control points are 0 and, the i-th, 1. */
+/* One case in 2. */
 verdict prop_judge_truth_basis(gen *g)
 {
     static double unit[MOST];
@@ -556,7 +557,7 @@ verdict prop_judge_truth_parameters(gen *g)
 
 /* ---- fits ---- */
 
-/* One case in 10. */
+/* One case in 20. */
 verdict prop_judge_truth_fits(gen *g)
 {
     static et_vec3 P[MOST];

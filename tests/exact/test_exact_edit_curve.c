@@ -210,6 +210,7 @@ static size_t elevated_knots(double *t, const double *u, size_t nu, size_t times
     return n;
 }
 
+/* One case in 2. */
 verdict prop_exact_curve_elevate(gen *g)
 {
     et_curve c, e = {0, 0, NULL, NULL, NULL};

@@ -477,6 +477,7 @@ verdict prop_exact_fit_solve(gen *g)
 }
 
 /* Where inner knots fall on an end, end functions vanish; between fixed corners a net two wide may be determined all the same. */
+/* One case in 2. */
 verdict prop_exact_fit_solve_ends(gen *g)
 {
     problem c = {.nov = 0};

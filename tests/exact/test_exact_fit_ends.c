@@ -285,6 +285,7 @@ static et_status watching(void *context, size_t done, size_t total)
     return w->calls++ == w->stop ? w->with : ET_OK;
 }
 
+/* One case in 2. */
 verdict prop_exact_fit_solve_stops(gen *g)
 {
     problem c;

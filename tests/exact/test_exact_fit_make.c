@@ -115,6 +115,7 @@ static bool parameters_refused(gen *g, const problem *c)
                      "bad arguments");
 }
 
+/* One case in 2. */
 verdict prop_exact_fit_parameters(gen *g)
 {
     problem c;
@@ -204,6 +205,7 @@ static et_status stages(et_fit *f, const problem *c, size_t *most, et_message *m
     return status;
 }
 
+/* One case in 2. */
 verdict prop_exact_fit_make(gen *g)
 {
     problem c;
@@ -401,6 +403,7 @@ static bool flipped(gen *g, const problem *c, const et_fit *f)
     return ok;
 }
 
+/* One case in 2. */
 verdict prop_exact_fit_make_symmetry(gen *g)
 {
     problem c;
@@ -426,6 +429,7 @@ static void draw_dyadic(gen *g, size_t *m, size_t *n, size_t *p)
     *n = *p + ((size_t)1 << gen_upto(g, doublings));
 }
 
+/* One case in 2. */
 verdict prop_exact_fit_make_planted(gen *g)
 {
     problem c;
@@ -469,6 +473,7 @@ verdict prop_exact_fit_make_planted(gen *g)
 
 /* Data on a line, 1 + i ulp or i of the least subnormals, at i/8: a quadratic's control points are at the middles of knots (Greville), thus as often
  * as not in the middle between two doubles: to even. */
+/* One case in 2. */
 verdict prop_exact_fit_solve_ties(gen *g)
 {
     problem c;

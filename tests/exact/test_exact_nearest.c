@@ -542,6 +542,7 @@ verdict prop_exact_surface_nearest(gen *g)
 
 /* A plate [0, a] x [0, b] of any degrees, knots and weights, in the plane or on a cylinder over a polygon: the least distance is rational.  Its
  * direction of straight lines may be u or v. */
+/* One case in 2. */
 verdict prop_exact_surface_nearest_plate(gen *g)
 {
     et_surface s;

@@ -525,6 +525,7 @@ verdict prop_exact_param_grid_ties_of_kinds(gen *g)
 
 /* Chords 3, 4, 7 sqrt(2) and 3, sqrt(2), 0: parameters 3/(7 + 7 sqrt(2)) and 3/(3 + sqrt(2)), which add up to 6/7 although no line is a multiple of
  * the other or of its reverse.  With (2^53 + 7)/(7 2^53) and 0 the mean is 1/4 + 2^-55, and that is not found out. */
+/* One case in 2. */
 verdict prop_exact_param_grid_undecided(gen *g)
 {
     static const et_vec3 line[4][4] = {{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}, {3, -3, 7}},

@@ -440,6 +440,7 @@ verdict prop_fit_make_planted(gen *g)
 }
 
 /* The same at sizes beyond every block, tile and strip inside; conditions are those of the two directions, multiplied. */
+/* One case in 2. */
 verdict prop_fit_make_planted_large(gen *g)
 {
     enum { NX = 40, NY = 24, CX = 24, CY = 20 };

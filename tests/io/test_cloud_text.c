@@ -101,6 +101,7 @@ verdict prop_cloud_read_xyz(gen *g)
 }
 
 /* Lines far longer than a block, and a block's end anywhere in a line: the points, and the number of a bad line. */
+/* One case in 3. */
 verdict prop_cloud_read_long(gen *g)
 {
     enum { BLOCK = 1 << 18, LONG = 1 << 21 };

@@ -278,6 +278,7 @@ static void unclamp(gen *g, et_shell *shell)
         t[last ? n - 1 : p + 1] = t[last ? n : p];
 }
 
+/* One case in 3. */
 verdict prop_iges_write(gen *g)
 {
     char path[256], *text = NULL;

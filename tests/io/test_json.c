@@ -559,6 +559,7 @@ verdict prop_json_read_net_faults(gen *g)
     return faulty(g, NET, net_faults, sizeof net_faults / sizeof *net_faults);
 }
 
+/* One case in 2. */
 verdict prop_json_read_net_truncated(gen *g)
 {
     return truncated(g, NET);
@@ -676,6 +677,7 @@ verdict prop_json_read_surface_faults(gen *g)
     return faulty(g, SURFACE, surface_faults, sizeof surface_faults / sizeof *surface_faults);
 }
 
+/* One case in 2. */
 verdict prop_json_read_surface_truncated(gen *g)
 {
     return truncated(g, SURFACE);

@@ -176,6 +176,7 @@ verdict prop_plot_cloud(gen *g)
 }
 
 /* More points than are drawn: still a picture, and the same one again. */
+/* One case in 2. */
 verdict prop_plot_cloud_large(gen *g)
 {
     static et_vec3 p[3 * ET_PLOT_MOST];

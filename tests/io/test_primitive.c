@@ -231,6 +231,7 @@ static bool source_cloud(gen *g, et_primitive_kind kind)
 }
 
 verdict prop_primitive_make_source(gen *g);
+/* One case in 3. */
 verdict prop_primitive_make_source(gen *g)
 {
     const size_t kind = gen_upto(g, 3);

@@ -639,6 +639,7 @@ verdict prop_ceres_full_again(gen *g)
 }
 
 /* Data on a rational surface at parameters a little off the grid: weights and parameters are needed, and found. */
+/* One case in 2. */
 verdict prop_ceres_full_exact(gen *g)
 {
     static double uv[2 * CLASSES];

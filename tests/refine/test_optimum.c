@@ -197,7 +197,7 @@ verdict prop_optimum_defaults(gen *g)
 /* ---- find ---- */
 
 /* Whatever comes: knots at full multiplicity or an ulp apart, parameters anywhere, coincident points, any scale, control points without data. */
-/* One case in 6. */
+/* One case in 12. */
 verdict prop_optimum_find(gen *g)
 {
     optimum_case c;
@@ -371,7 +371,7 @@ verdict prop_optimum_find_interpolated(gen *g)
 }
 
 /* From the minimum on: nothing gets worse, and nothing much better. */
-/* One case in 20. */
+/* One case in 40. */
 verdict prop_optimum_find_again(gen *g)
 {
     optimum_case c;
@@ -519,7 +519,7 @@ verdict prop_optimum_find_refuses(gen *g)
 /* ---- bound ---- */
 
 /* Any y: random, the right one with a fault, huge, tiny, none. */
-/* One case in 8. */
+/* One case in 16. */
 verdict prop_optimum_bound(gen *g)
 {
     const bool tame = gen_chance(g, 2);
