@@ -40,21 +40,15 @@ int et_shell_glued(const et_shell *shell)
     return 1;
 }
 
-/* Clamped, and no end p + 2 times: only then does the curve end in the control polygon's ends. */
-static int ends_meet(const double *u, size_t n, size_t p)
-{
-    return et_knots_clamped(u, n + p + 1, p) && u[p] < u[p + 1] && u[n - 1] < u[n];
-}
-
 /* Then a border curve is that of the border's control points alone: glued control nets are glued surfaces. */
-static int clamped(const et_surface *s)
+static int interpolating(const et_surface *s)
 {
-    return ends_meet(s->u, s->nu, s->p) && ends_meet(s->v, s->nv, s->q);
+    return et_knots_interpolating(s->u, s->nu + s->p + 1, s->p) && et_knots_interpolating(s->v, s->nv + s->q + 1, s->q);
 }
 
 int et_shell_closed(const et_shell *shell)
 {
-    return et_shell_glued(shell) && clamped(&shell->view[ET_BOTTOM]);
+    return et_shell_glued(shell) && interpolating(&shell->view[ET_BOTTOM]);
 }
 
 et_doublenet et_shell_net(const et_shell *shell)
