@@ -31,22 +31,6 @@ static et_side side(const et_request_value *word)
 }
 
 /* Curve and surface of a request that has an answer: it is of its kind, and valid (judge_valid asks for more). */
-static et_curve curve_of(const et_request *request)
-{
-    et_curve c = { 0, 0, NULL, NULL, NULL };
-
-    (void)et_request_curve(&c, request, 0);
-    return c;
-}
-
-static et_surface surface_of(const et_request *request, size_t k)
-{
-    et_surface s = { 0, 0, 0, 0, NULL, NULL, NULL, NULL };
-
-    (void)et_request_surface(&s, request, k);
-    return s;
-}
-
 /* ---- basis functions ---- */
 
 /* The p + 1 functions of a row among zeros. */
@@ -109,7 +93,7 @@ static et_status curve_points(et_reply *reply, const et_request *request)
 {
     const size_t d = request->op == ET_OP_CURVE_DERS ? request->arg[6].count : 0;
     const double x = request->arg[4].x[0];
-    const et_curve c = curve_of(request);
+    const et_curve c = judge_curve_of(request);
     const size_t nwork = et_curve_work(&c, d);
     double *work = et_size_array(nwork, sizeof *work);
     et_vec3 *D = et_size_array(d + 1, sizeof *D);
@@ -144,7 +128,7 @@ static et_status evaluate(et_vec3 *D, const et_surface *s, const et_request *req
 static et_status surface_points(et_reply *reply, const et_request *request)
 {
     const size_t d = request->op == ET_OP_SURFACE_DERS ? request->arg[10].count : 0, n = (d + 1) * (d + 2) / 2;
-    const et_surface s = surface_of(request, 0);
+    const et_surface s = judge_surface_of(request, 0);
     const size_t room[2] = { et_surface_work(&s), et_surface_partials_work(&s, d > 0 ? d : 1) }, nwork = room[0] > room[1] ? room[0] : room[1];
     double *work = et_size_array(nwork, sizeof *work);
     et_vec3 *D = et_size_array(n, sizeof *D);
@@ -166,7 +150,7 @@ et_status answer_point(et_reply *reply, const et_request *request)
 static et_status edit_curve(et_reply *reply, const et_request *request)
 {
     const et_request_value *a = request->arg + 4;
-    const et_curve c = curve_of(request);
+    const et_curve c = judge_curve_of(request);
     size_t removed = 0;
     et_curve made;
     et_status status = request->op == ET_OP_CURVE_INSERT  ? et_curve_insert(&made, &c, a[0].x[0], a[1].count)
@@ -187,7 +171,7 @@ static et_status edit_surface(et_reply *reply, const et_request *request)
 {
     const et_request_value *a = request->arg + 7;
     const et_direction along = request->arg[6].count == 0 ? ET_ALONG_U : ET_ALONG_V;
-    const et_surface s = surface_of(request, 0);
+    const et_surface s = judge_surface_of(request, 0);
     size_t removed = 0;
     et_surface made;
     et_status status = request->op == ET_OP_SURFACE_INSERT  ? et_surface_insert(&made, &s, along, a[0].x[0], a[1].count)

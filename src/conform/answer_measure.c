@@ -3,20 +3,13 @@
  * Distances are taken in a unit in which squares neither overflow nor underflow.  The unit is that of the control points which have a share in what
  * is measured: another one, however large, must not make the others vanish. */
 #include "conform/answer_parts.h"
+#include "conform/judge_parts.h"
 #include "etalon/base/real.h"
 #include "etalon/base/size.h"
 #include "etalon/fit/seam.h"
 #include "etalon/spline/basis.h"
 #include <math.h>
 #include <stdlib.h>
-
-static et_surface surface_of(const et_request *request, size_t k)
-{
-    et_surface s = { 0, 0, 0, 0, NULL, NULL, NULL, NULL };
-
-    (void)et_request_surface(&s, request, k);
-    return s;
-}
 
 /* 2^-e, with the greatest magnitude below 2^e: in that unit squares neither overflow nor, where they matter, underflow; 1 in the range where they do
  * not anyway. */
@@ -111,7 +104,7 @@ static et_status surface_error(et_reply *reply, const et_request *request)
 {
     const et_request_value *a = request->arg;
     const size_t n = a[8].count;
-    const et_surface s = surface_of(request, 0);
+    const et_surface s = judge_surface_of(request, 0);
     double *d = et_size_array(n, sizeof *d);
     et_surface t;
     et_status status = d ? shared(&t, &s, a[6].x, a[6].count, a[7].x, a[7].count, 0) : ET_ENOMEM;
@@ -133,7 +126,7 @@ static et_status surface_error(et_reply *reply, const et_request *request)
 static et_status shared_border(et_shell *shell, const et_request *request)
 {
     static const double ends[2] = { 0, 1 };
-    const et_surface s = surface_of(request, 0), t = surface_of(request, 6);
+    const et_surface s = judge_surface_of(request, 0), t = judge_surface_of(request, 6);
     et_status status = shared(&shell->view[0], &s, ends, 2, ends, 2, 1);
 
     if (status == ET_OK) {

@@ -227,7 +227,7 @@ void campaign_spoil(campaign_maker *m)
             kinds[n++] = (fault)k;
         }
     }
-    for (size_t k = 0; !done; k++) {       /* every operation has a kind that never returns 0 */
+    for (size_t k = 0; k < n && !done; k++) {       /* every operation has a kind that never returns 0 */
         done = spoil(m, kinds[(size_t)((m->number + k) % n)]);
     }
 }

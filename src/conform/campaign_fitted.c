@@ -1,5 +1,6 @@
 /* campaign, relations of parameters and fits, seams, nearest points, and the double net. */
 #include "conform/campaign_relate.h"
+#include "conform/judge_parts.h"
 #include "etalon/base/real.h"
 #include "etalon/base/size.h"
 #include "etalon/spline/basis.h"
@@ -360,12 +361,10 @@ static void on_it(campaign_relation *r, double P[3], double x, double y)
 {
     et_vec3 S;
     if (r->told->op == ET_OP_SURFACE_NEAREST) {
-        et_surface s = {0, 0, 0, 0, NULL, NULL, NULL, NULL};
-        (void)et_request_surface(&s, r->told, 0);
+        const et_surface s = judge_surface_of(r->told, 0);
         S = point(r, &s, x, y);
     } else {
-        et_curve c = {0, 0, NULL, NULL, NULL};
-        (void)et_request_curve(&c, r->told, 0);
+        const et_curve c = judge_curve_of(r->told);
         S = point_of_curve(r, &c, x);
     }
     P[0] = S.x;

@@ -212,7 +212,7 @@ static et_status document_of(const place *p, json_t **document)
         return ET_OK;
     json_decref(*document);
     if (failed)
-        return et_status_fail(p->message, ET_EIO, "cannot read %s: %s", p->path, strerror(reason));
+        return et_status_fail(p->message, ET_EIO, "cannot read %s: %s", p->path, reason ? strerror(reason) : "read error");
     if (json_error_code(&error) == json_error_out_of_memory)
         return no_memory(p);
     return et_status_fail(p->message, ET_EFORMAT, "%s:%d: %s", p->path, error.line, error.text);

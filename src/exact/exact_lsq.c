@@ -332,7 +332,7 @@ et_status et_exact_fit_curve(et_vec3 *P, size_t n, et_exact_lsq *lsq, const doub
 /* Whether the first and the last datum stand where the first and the last control point do. */
 static int at_ends(const double *u, size_t n, size_t p, const double *t, size_t m)
 {
-    return n > 1 && et_knots_clamped(u, n + p + 1, p) && u[p] < u[p + 1] && u[n - 1] < u[n] && t[0] == u[p] && t[m - 1] == u[n];
+    return et_knots_interpolating(u, n + p + 1, p) && t[0] == u[p] && t[m - 1] == u[n];
 }
 
 et_status et_exact_fit_grid(et_vec3 *P, size_t nu, size_t nv, et_exact_lsq *lsq, const double *u, size_t p, const double *v, size_t q,

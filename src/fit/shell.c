@@ -59,19 +59,6 @@ int et_shell_glued(const et_shell *shell)
     return 1;
 }
 
-/* Clamped, and no end p + 2 times: only then does the curve end in the control polygon's ends. */
-/*@ requires count:   p < n && n + p + 1 <= SIZE_MAX && 2*p + 2 <= SIZE_MAX;
-    requires valid:   \valid_read(u + (0 .. n + p));
-    requires domain:  et_surface_domain((double *)u, n + p, p);
-    assigns  \nothing;
-    ensures  truth:   \result == 0 || \result == 1;
-    ensures  ends:    \result == 1 ==> u[0] == u[p] < u[p + 1] && u[n - 1] < u[n] == u[n + p];
-*/
-static int ends_meet(const double *u, size_t n, size_t p)
-{
-    return et_knots_clamped(u, n + p + 1, p) && u[p] < u[p + 1] && u[n - 1] < u[n];
-}
-
 /* Then a border curve is that of the border's control points alone: glued control nets are glued surfaces. */
 /*@ requires valid:   \valid_read(s) && et_surface_ok((et_surface *)s) && 2*s->nu <= SIZE_MAX && 2*s->nv <= SIZE_MAX;
     assigns  \nothing;
@@ -79,14 +66,14 @@ static int ends_meet(const double *u, size_t n, size_t p)
     ensures  u:       \result == 1 ==> s->u[0] == s->u[s->p] < s->u[s->p + 1] && s->u[s->nu - 1] < s->u[s->nu] == s->u[s->nu + s->p];
     ensures  v:       \result == 1 ==> s->v[0] == s->v[s->q] < s->v[s->q + 1] && s->v[s->nv - 1] < s->v[s->nv] == s->v[s->nv + s->q];
 */
-static int clamped(const et_surface *s)
+static int interpolating(const et_surface *s)
 {
-    return ends_meet(s->u, s->nu, s->p) && ends_meet(s->v, s->nv, s->q);
+    return et_knots_interpolating(s->u, s->nu + s->p + 1, s->p) && et_knots_interpolating(s->v, s->nv + s->q + 1, s->q);
 }
 
 int et_shell_closed(const et_shell *shell)
 {
-    return et_shell_glued(shell) && clamped(&shell->view[ET_BOTTOM]);
+    return et_shell_glued(shell) && interpolating(&shell->view[ET_BOTTOM]);
 }
 
 et_doublenet et_shell_net(const et_shell *shell)

@@ -162,15 +162,9 @@ static int same_node(const et_surface *s, size_t a, size_t b)
     return p.x == q.x && p.y == q.y && p.z == q.z && (!s->weights || s->weights[a] == s->weights[b]);
 }
 
-/* Does the curve of control points end in the first and the last of them? */
-static int ends_meet(const double *u, size_t n, size_t p)
-{
-    return et_knots_clamped(u, n + p + 1, p) && u[p] < u[p + 1] && u[n - 1] < u[n];
-}
-
 static size_t closed_u(const et_surface *s)
 {
-    if (!ends_meet(s->u, s->nu, s->p))
+    if (!et_knots_interpolating(s->u, s->nu + s->p + 1, s->p))
         return 0;
     for (size_t j = 0; j < s->nv; j++)
         if (!same_node(s, j, (s->nu - 1) * s->nv + j))
@@ -180,7 +174,7 @@ static size_t closed_u(const et_surface *s)
 
 static size_t closed_v(const et_surface *s)
 {
-    if (!ends_meet(s->v, s->nv, s->q))
+    if (!et_knots_interpolating(s->v, s->nv + s->q + 1, s->q))
         return 0;
     for (size_t i = 0; i < s->nu; i++)
         if (!same_node(s, i * s->nv, i * s->nv + s->nv - 1))

@@ -30,6 +30,11 @@ int et_knots_clamped(const double *u, size_t nu, size_t p)
     return u[0] == u[p] && u[nu - p - 1] == u[nu - 1];
 }
 
+int et_knots_interpolating(const double *u, size_t nu, size_t p)
+{
+    return et_knots_clamped(u, nu, p) && u[p] < u[p + 1] && u[nu - p - 2] < u[nu - p - 1];
+}
+
 size_t et_knots_span(const double *u, size_t nu, size_t p, double x)
 {
     size_t lo = p, hi = nu - p - 1;

@@ -21,4 +21,15 @@ static inline size_t bad_of(const et_conform_report *r)
             n += et_judge_bad((et_verdict)v) ? count_of(r, (et_request_op)op, (et_verdict)v) : 0;
     return n;
 }
+
+/* How often a task is told how far a run is, and after which call it says that the run ends. */
+typedef struct { size_t calls, most; } patience;
+
+static inline et_status step(void *at, size_t done, size_t total)
+{
+    patience *p = at;
+
+    return done <= total && p->calls++ < p->most ? ET_OK : ET_ESTOPPED;
+}
+
 #endif

@@ -156,15 +156,6 @@ verdict prop_conform_run_again(gen *g)
     return ok ? PASS : FAIL;
 }
 
-typedef struct { size_t calls, most; } patience;
-
-static et_status step(void *at, size_t done, size_t total)
-{
-    patience *p = at;
-
-    return done <= total && p->calls++ < p->most ? ET_OK : ET_ESTOPPED;
-}
-
 /* One case in 20. */
 verdict prop_conform_run_stopped(gen *g)
 {

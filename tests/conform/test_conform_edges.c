@@ -106,15 +106,6 @@ verdict prop_conform_run_not_offered(gen *g)
     return ok ? PASS : FAIL;
 }
 
-typedef struct { size_t calls, most; } patience;
-
-static et_status step(void *at, size_t done, size_t total)
-{
-    patience *p = at;
-
-    return done <= total && p->calls++ < p->most ? ET_OK : ET_ESTOPPED;
-}
-
 /* Among more frozen vectors than are asked at once, while a fault is made small, or on the way to worse cases: a run that is stopped says so, and
  * what it tells are the faults of the whole run, or some of them. */
 /* One case in 1000. */

@@ -246,15 +246,6 @@ verdict prop_conform_run_relations(gen *g)
     return ok ? PASS : FAIL;
 }
 
-typedef struct { size_t calls, most; } patience;
-
-static et_status step(void *at, size_t done, size_t total)
-{
-    patience *p = at;
-
-    return done <= total && p->calls++ < p->most ? ET_OK : ET_ESTOPPED;
-}
-
 /* Wherever an answer fails, and wherever the run is stopped, it ends with that status, and with what is known. */
 /* One case in 1000. */
 verdict prop_conform_run_fails(gen *g)

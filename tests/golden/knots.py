@@ -15,6 +15,11 @@ def is_clamped(u, p):
     return int(len(set(u[:p + 1])) == 1 and len(set(u[-p - 1:])) == 1)
 
 
+def is_interpolating(u, p):
+    """The ends p + 1 times each, no more and no less."""
+    return int(u.count(u[p]) == p + 1 == u[:p + 1].count(u[p]) and u.count(u[-p - 1]) == p + 1 == u[-p - 1:].count(u[-1]))
+
+
 BEZIER = [0.0] * 4 + [1.0] * 4
 BOOK = [0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0, 4.0, 5.0, 5.0, 5.0]      # The NURBS Book, example 2.3
 ULPS = [0.0] * 4 + [0.5, 0.5 + 2.0**-53, 0.5 + 2.0**-52] + [1.0] * 4
@@ -37,8 +42,12 @@ for p, u, why in GOOD + BAD:
 row("knots_valid", "exact", "half the range each side", [0, -MAX / 2, MAX / 2], [1])
 for p, u, why in GOOD:
     row("knots_clamped", "exact", why, [p] + u, [is_clamped(u, p)])
-row("knots_clamped", "exact", "left end open", [2] + [-1.0] + BOOK[1:], [0])
-row("knots_clamped", "exact", "right end open", [2] + BOOK[:-1] + [6.0], [0])
+    row("knots_interpolating", "exact", why, [p] + u, [is_interpolating(u, p)])
+for f in "knots_clamped", "knots_interpolating":
+    row(f, "exact", "left end open", [2] + [-1.0] + BOOK[1:], [0])
+    row(f, "exact", "right end open", [2] + BOOK[:-1] + [6.0], [0])
+row("knots_interpolating", "exact", "left end four times", [2] + [0.0] + BOOK, [0])
+row("knots_interpolating", "exact", "right end four times", [2] + BOOK + [5.0], [0])
 c = Choices(7)
 for p, u, why in GOOD:
     lo, hi = u[p], u[-p - 1]
@@ -87,6 +96,7 @@ def spoiled(c, u, p):
 for p, u, why in list(families(c, 40, 9)) + [x for p in range(1, 8) for x in least(p)] + list(high_degrees(c)) + BASES:
     row("knots_valid", "exact", why, [p] + u, [valid(u, p)])
     row("knots_clamped", "exact", why, [p] + u, [is_clamped(u, p)])
+    row("knots_interpolating", "exact", why, [p] + u, [is_interpolating(u, p)])
     for where, x in spots(c, u, p):
         if x - x == 0:
             row("knots_span", "exact", why + ", " + where, [p] + u + [x], [span(u, p, x)])
@@ -95,6 +105,7 @@ for p, u, why in families(c, 8, 5):
         row("knots_valid", "exact", what + ", from " + why, [p] + bad, [valid(bad, p)])
         if valid(bad, p):
             row("knots_clamped", "exact", what + ", from " + why, [p] + bad, [is_clamped(bad, p)])
+            row("knots_interpolating", "exact", what + ", from " + why, [p] + bad, [is_interpolating(bad, p)])
 
 
 def left_span(u, p, x):

@@ -1,5 +1,6 @@
 /* spline/knots: each promise by a walk over all knots. */
 #include "etalon/spline/knots.h"
+#include "etalon/spline/basis.h"
 #include "golden.h"
 #include "reference.h"
 #include <float.h>
@@ -86,6 +87,48 @@ verdict prop_knots_clamped(gen *g)
         ok = ok && gen_check(g, et_knots_clamped(u, nu, p) == 0, "the last knot differs");
     }
     return ok ? PASS : FAIL;
+}
+
+/* By counting: the ends' values stand p + 1 times each, at the ends. */
+verdict prop_knots_interpolating(gen *g)
+{
+    double u[REF_KNOTS];
+    size_t p, nu = draw(g, u, &p);
+    if (gen_upto(g, 1) == 1) {
+        gen_knots(g, u, nu, p);
+    }
+    if (nu > 2 * p + 2 && gen_upto(g, 3) == 0) {
+        u[p + 1] = u[p];
+    }
+    if (nu > 2 * p + 2 && gen_upto(g, 3) == 0) {
+        u[nu - p - 2] = u[nu - p - 1];
+    }
+    if (!et_knots_valid(u, nu, p)) {
+        return SKIP;
+    }
+    int want = et_knots_multiplicity(u, nu, u[0]) == p + 1 && et_knots_multiplicity(u, nu, u[nu - 1]) == p + 1;
+    return gen_check(g, et_knots_interpolating(u, nu, p) == want, "interpolating: %d", !want) ? PASS : FAIL;
+}
+
+/* A curve with one control point that is not 0 is 0 at an end unless that is the end's, and for interpolating knots it is 1 there. */
+verdict prop_knots_interpolating_ends(gen *g)
+{
+    double u[REF_KNOTS], N[REF_KNOTS], work[REF_KNOTS];
+    size_t p, nu = draw(g, u, &p);
+    gen_knots(g, u, nu, p);
+    if (nu > 2 * p + 2 && gen_upto(g, 1) == 1) {
+        u[p + 1] = u[p];
+    }
+    if (!et_knots_valid(u, nu, p)) {
+        return SKIP;
+    }
+    size_t k = et_knots_span(u, nu, p, u[p]);
+    et_basis_eval(N, u, nu, p, k, u[p], work, et_basis_work(p, 0));
+    bool first = k == p && N[0] == 1.0;
+    k = et_knots_span(u, nu, p, u[nu - p - 1]);
+    et_basis_eval(N, u, nu, p, k, u[nu - p - 1], work, et_basis_work(p, 0));
+    bool last = k == nu - p - 2 && N[p] == 1.0;
+    return gen_check(g, et_knots_interpolating(u, nu, p) == (first && last), "ends: %d %d", first, last) ? PASS : FAIL;
 }
 
 verdict prop_knots_span(gen *g)
@@ -225,6 +268,13 @@ verdict gold_knots_clamped(const row *r)
     double u[REF_KNOTS];
     size_t nu = knots_of(r, u);
     return row_is_size(r, 0, (size_t)et_knots_clamped(u, nu, row_size(r, 0))) ? PASS : FAIL;
+}
+
+verdict gold_knots_interpolating(const row *r)
+{
+    double u[REF_KNOTS];
+    size_t nu = knots_of(r, u);
+    return row_is_size(r, 0, (size_t)et_knots_interpolating(u, nu, row_size(r, 0))) ? PASS : FAIL;
 }
 
 /* degree, the knots, the parameter. */

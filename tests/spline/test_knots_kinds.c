@@ -24,6 +24,7 @@ verdict prop_knots_span_turned(gen *g)
     if (!et_knots_valid(u, nu, p)) {
         return ok ? PASS : FAIL;
     }
+    ok = ok && gen_check(g, et_knots_interpolating(v, nu, p) == et_knots_interpolating(u, nu, p), "interpolating");
     double x = gen_parameter(g, u, nu, p);
     size_t right = et_knots_span_side(u, nu, p, x, ET_SIDE_RIGHT), left = et_knots_span_side(u, nu, p, x, ET_SIDE_LEFT);
     ok = ok && gen_check(g, et_knots_multiplicity(v, nu, -x) == et_knots_multiplicity(u, nu, x), "multiplicity of %a", x);
@@ -58,6 +59,7 @@ verdict prop_knots_span_scaled(gen *g)
     }
     double x = gen_parameter(g, u, nu, p), y = ldexp(x, e);
     bool ok = gen_check(g, et_knots_valid(v, nu, p) == 1 && et_knots_clamped(v, nu, p) == et_knots_clamped(u, nu, p), "valid, clamped");
+    ok = ok && gen_check(g, et_knots_interpolating(v, nu, p) == et_knots_interpolating(u, nu, p), "interpolating");
     ok = ok && gen_check(g, et_knots_span(v, nu, p, y) == et_knots_span(u, nu, p, x) && et_knots_multiplicity(v, nu, y) == et_knots_multiplicity(u,
             nu, x), "at %a", x);
     ok = ok && gen_check(g, et_knots_span_side(v, nu, p, y, ET_SIDE_LEFT) == et_knots_span_side(u, nu, p, x, ET_SIDE_LEFT), "from the left at %a", x);

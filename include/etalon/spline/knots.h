@@ -35,6 +35,18 @@ int et_knots_valid(const double *u, size_t nu, size_t p);
 */
 int et_knots_clamped(const double *u, size_t nu, size_t p);
 
+/* 1 if the first p+1 knots are equal, the last p+1 too, and no other knot equals them, else 0.  Then the first and the last basis function, and they
+ * alone, are 1 at the ends of the domain: the curve ends in the ends of the control polygon, a surface's borders are its border control points' curves. */
+/*@ requires count:   nu >= 2 * p + 2;
+    requires knots:   \valid_read(u + (0 .. nu - 1));
+    requires finite:  \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
+    requires sorted:  \forall integer i, j; 0 <= i <= j < nu ==> u[i] <= u[j];
+    assigns  \nothing;
+    ensures  ends:    \result == 1 <==> u[0] == u[p] && u[p] < u[p + 1] && u[nu - p - 2] < u[nu - p - 1] && u[nu - p - 1] == u[nu - 1];
+    ensures  flag:    \result == 0 || \result == 1;
+*/
+int et_knots_interpolating(const double *u, size_t nu, size_t p);
+
 /* The span k with u[k] <= x < u[k+1], p <= k <= nu-p-2; at the right end of the domain the last non-empty one (A2.1).
  * x outside the domain is clamped to it.  Binary search, at most 1 + log2(nu - 2p - 1) comparisons.  Requires et_knots_valid. */
 /*@ requires count:  nu >= 2 * p + 2;
