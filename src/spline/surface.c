@@ -19,6 +19,11 @@ int et_surface_valid(const et_surface *s)
     if (et_size_mul(&n, s->nu, s->nv) != ET_OK || !et_knots_valid(s->u, s->nu + s->p + 1, s->p) || !et_knots_valid(s->v, s->nv + s->q + 1, s->q)) {
         return 0;
     }
+    /*@ loop invariant place:  i <= n;
+        loop invariant finite: s->weights != \null ==> \forall integer k; 0 <= k < i ==> \is_finite(s->weights[k]) && s->weights[k] > 0.0;
+        loop assigns i;
+        loop variant n - i;
+    */
     for (size_t i = 0; s->weights && i < n; i++) {
         if (!isfinite(s->weights[i]) || !(s->weights[i] > 0.0)) {
             return 0;
@@ -85,11 +90,20 @@ typedef struct {
     size_t nbasis;
 } room;
 
+/*@ assigns \nothing;
+    ensures value: \result == \max(a, b);
+*/
 static size_t greater(size_t a, size_t b)
 {
     return a > b ? a : b;
 }
 
+/*@ requires s:    \valid_read(s);
+    assigns  \nothing;
+    ensures  fits: s->p <= SIZE_MAX - 5 && s->q <= SIZE_MAX - 5 && (s->p + 1)*(s->p + 5) <= SIZE_MAX && (s->q + 1)*(s->q + 5) <= SIZE_MAX
+                       ==> \result == \max((s->p + 1)*(s->p + 5), (s->q + 1)*(s->q + 5));
+    ensures  room: \result >= \max((s->p + 1)*(s->p + 5), (s->q + 1)*(s->q + 5)) || \result == SIZE_MAX;
+*/
 static size_t basis_work(const et_surface *s)
 {
     return greater(et_basis_work(s->p, 2), et_basis_work(s->q, 2));
@@ -101,6 +115,13 @@ size_t et_surface_work(const et_surface *s)
     return basis > SIZE_MAX - sums ? SIZE_MAX : sums + basis;
 }
 
+/*@ requires s:     \valid_read(s);
+    requires room:  et_surface_room((et_surface *)s) <= SIZE_MAX && \valid(work + (0 .. et_surface_room((et_surface *)s) - 1));
+    assigns  \nothing;
+    ensures  rows:  \result.N == work && \result.M == work + 3*(s->p + 1) && \result.basis == work + 3*(s->p + 1) + 15*(s->q + 1);
+    ensures  sums:  \result.T == (surface_point *)(work + 3*(s->p + 1) + 3*(s->q + 1)) && \valid(\result.T + (0 .. 3*(s->q + 1) - 1));
+    ensures  basis: \result.nbasis == \max((s->p + 1)*(s->p + 5), (s->q + 1)*(s->q + 5));
+*/
 static room divide(const et_surface *s, double *work)
 {
     double *T = work + 3 * (s->p + 1) + 3 * (s->q + 1);

@@ -20,6 +20,8 @@ extern "C" {
     ensures  finite: \result == 1 ==> \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
     ensures  sorted: \result == 1 ==> \forall integer i, j; 0 <= i <= j < nu ==> u[i] <= u[j];
     ensures  domain: \result == 1 ==> u[p] < u[nu - p - 1];
+    ensures  spread: \result == 1 ==> \is_finite((double)(u[nu - 1] - u[0]));
+    ensures  apart:  \result == 1 ==> \forall integer i; 0 < i < nu && u[i - 1] < u[i] ==> u[i] - u[i - 1] >= 0x1p-1022;
 */
 int et_knots_valid(const double *u, size_t nu, size_t p);
 

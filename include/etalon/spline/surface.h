@@ -31,7 +31,11 @@ typedef struct {
     double *weights;
 } et_surface;
 
-/*@ predicate et_surface_stored(et_surface *s) =
+/* No array has more than SIZE_MAX bytes: so sizes are bounded wherever the arrays are there. */
+/*@ predicate et_surface_sizes(et_surface *s) = (s->nu + s->p + 1) * sizeof(double) <= SIZE_MAX && (s->nv + s->q + 1) * sizeof(double) <= SIZE_MAX &&
+        s->nu * s->nv * sizeof(et_vec3) <= SIZE_MAX;
+
+    predicate et_surface_stored(et_surface *s) = et_surface_sizes(s) &&
         \valid_read(s->u + (0 .. s->nu + s->p)) && \valid_read(s->v + (0 .. s->nv + s->q)) &&
         \valid_read(s->points + (0 .. s->nu * s->nv - 1)) && (s->weights == \null || \valid_read(s->weights + (0 .. s->nu * s->nv - 1)));
 
@@ -48,6 +52,9 @@ typedef struct {
         (\forall integer i; 0 <= i < s->nu * s->nv ==>
             \is_finite(s->points[i].x) && \is_finite(s->points[i].y) && \is_finite(s->points[i].z) &&
             (s->weights == \null || (\is_finite(s->weights[i]) && s->weights[i] > 0)));
+
+    predicate et_surface_apart(et_surface *s, double *a, integer n) =
+        \separated(a + (0 .. n - 1), s->u + (0 .. s->nu + s->p)) && \separated(a + (0 .. n - 1), s->v + (0 .. s->nv + s->q));
 
     logic integer et_surface_room(et_surface *s) =
         3*(s->p + 1) + 15*(s->q + 1) + \max((s->p + 1)*(s->p + 5), (s->q + 1)*(s->q + 5));
@@ -97,11 +104,13 @@ et_status et_surface_copy(et_surface *copy, const et_surface *s);
 */
 void et_surface_free(et_surface *s);
 
-/* Doubles of workspace for every call below.
+/* Doubles of workspace for every call below; SIZE_MAX if that does not fit, so that no allocation succeeds.
  * Golden: none (a size that only has to suffice). */
-/*@ requires s:    \valid_read(s) && et_surface_room(s) <= SIZE_MAX;
+/*@ requires s:    \valid_read(s);
+    requires sums: 3*(s->p + 1) + 15*(s->q + 1) <= SIZE_MAX;
     assigns  \nothing;
-    ensures  room: \result >= et_surface_room(s);
+    ensures  room: et_surface_room(s) <= SIZE_MAX ==> \result >= et_surface_room(s);
+    ensures  none: et_surface_room(s) > SIZE_MAX ==> \result == SIZE_MAX;
 */
 size_t et_surface_work(const et_surface *s);
 
