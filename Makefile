@@ -281,6 +281,9 @@ proofs:
 	@sh proofs/prove.sh $(BUILD)/proofs
 proofs-accept:
 	@sh proofs/prove.sh --accept $(BUILD)/proofs
+proofs-mutants:
+	@sh tests/deps.sh $(PACKAGES_PROOFS)
+	@sh proofs/mutants.sh $(BUILD)/proofs
 proofs-quick:
 	@[ -z "$$(sh proofs/prove.sh --changed $(BUILD)/proofs)" ] || sh tests/deps.sh $(PACKAGES_PROOFS)
 	@sh proofs/prove.sh --quick $(BUILD)/proofs
@@ -303,4 +306,4 @@ uninstall:
 	rm -rf $(DESTDIR)$(PREFIX)/share/etalon
 clean:
 	rm -rf $(BUILD)
-.PHONY: proofs proofs-accept proofs-quick all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits print-libs fuzz fuzz-min cover covering faults refused refusing built also check end-to-end mutants mutate mutants-self bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean
+.PHONY: proofs proofs-accept proofs-mutants proofs-quick all test golden rows golden-accept harness bites asan valgrind audit floors contracts docs accuracy within bits print-libs fuzz fuzz-min cover covering faults refused refusing built also check end-to-end mutants mutate mutants-self bench programs peers adapters adapters-light conformance judged deps deps-test demo install uninstall clean
