@@ -39,7 +39,7 @@ EOF
 report() { echo "$1 $2"; [ "$1" = ok ] && passed=$((passed + 1)) || failed=$((failed + 1)); }
 
 try() {
-    cp -R src include proofs golden docs Makefile "$tree" || exit 2
+    cp -R src include proofs golden docs tests Makefile "$tree" || exit 2
     if ! goes; then
         cat "$tree/log"
         report FAIL "$piece: not proved as it is"
