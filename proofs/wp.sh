@@ -54,7 +54,8 @@ for unit; do
     code=$?
     goals=$(sed -n 's/.*Proved goals: *\([0-9]*\) *\/ *\([0-9]*\).*/\1 \2/p' "$tmp/log" | tail -n 1)
     if [ "$code" -ne 0 ] || [ -z "$goals" ] || [ "${goals% *}" != "${goals#* }" ] || [ ! -f "$tmp/report.json" ] \
-        || grep -q 'User Error\|[Mm]issing guards\|Missing RTE\|Missing assigns\|kernel:annot\|Smoke Test.*Failed' "$tmp/log"; then
+        || { [ "${options%-wp-no-rte*}" = "$options" ] && grep -q '[Mm]issing RTE' "$tmp/log"; } \
+        || grep -q 'User Error\|[Mm]issing guards\|Missing assigns\|kernel:annot\|Smoke Test.*Failed' "$tmp/log"; then
         failed=$((failed + 1))
         echo "FAIL wp $unit: ${goals:-none} (proved, wanted) in $source"
         grep -E 'Failed|Timeout|Stepout|Unknown|Error|Warning|[Mm]issing|Inconsistent' "$tmp/log"

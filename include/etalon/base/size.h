@@ -17,11 +17,15 @@ extern "C" {
 */
 et_status et_size_mul(size_t *product, size_t a, size_t b);
 
+/* Memory of count elements of size bytes: for WP, which counts scalars, as many numbers or pointers as fill it, which never says too much. */
+/*@ predicate et_array(char *p, integer count, integer size) =
+        (size % 8 == 0 ==> \valid((double *)p + (0 .. count * (size / 8) - 1))) && (size == 1 ==> \valid(p + (0 .. count - 1))); */
+
 /* A new array of count elements of size bytes each, all bytes zero, aligned to 64 bytes; count == 0 gives a valid pointer to free.
  * Returns null when the product overflows or memory is short.  The caller frees it with free().
  * Golden: none (an address). */
 /*@ assigns \result \from count, size;
-    ensures array: \result == \null || \valid((char *)\result + (0 .. count * size - 1));
+    ensures array: \result == \null || et_array((char *)\result, count, size);
 */
 void *et_size_array(size_t count, size_t size);
 
