@@ -120,24 +120,55 @@ size_t et_surface_work(const et_surface *s)
     assigns  \nothing;
     ensures  rows:  \result.N == work && \result.M == work + 3*(s->p + 1) && \result.basis == work + 3*(s->p + 1) + 15*(s->q + 1);
     ensures  sums:  \result.T == (surface_point *)(work + 3*(s->p + 1) + 3*(s->q + 1)) && \valid(\result.T + (0 .. 3*(s->q + 1) - 1));
-    ensures  basis: \result.nbasis == \max((s->p + 1)*(s->p + 5), (s->q + 1)*(s->q + 5));
+    ensures  basis: 2*(s->p + 1) <= \result.nbasis && 2*(s->q + 1) <= \result.nbasis && \valid(\result.basis + (0 .. \result.nbasis - 1));
+    ensures  ders:  \result.nbasis == \max((s->p + 1)*(s->p + 5), (s->q + 1)*(s->q + 5));
 */
 static room divide(const et_surface *s, double *work)
 {
+    //@ ghost fact_product(2, s->p + 5, s->p + 1);
+    //@ ghost fact_product(2, s->q + 5, s->q + 1);
     double *T = work + 3 * (s->p + 1) + 3 * (s->q + 1);
     return (room){work, work + 3 * (s->p + 1), T + 12 * (s->q + 1), (surface_point *)T, basis_work(s)};
 }
 
+/*@ predicate untouched(double *a, integer m, double *b, integer n, double *t, integer last) =
+        \separated(a + (0 .. m - 1), t + (0 .. last)) && \separated(b + (0 .. n - 1), t + (0 .. last));
+*/
+
+/* The span of x, among n functions, and the values there of those that are not zero. */
+/*@ requires count: p < n && n + p < SIZE_MAX && \is_finite(x);
+    requires knots: \valid_read(u + (0 .. n + p)) && et_surface_domain((double *)u, n + p, p);
+    requires room:  2*(p + 1) <= nbasis && \valid(N + (0 .. p)) && \valid(basis + (0 .. nbasis - 1));
+    requires apart: \separated(N + (0 .. p), u + (0 .. n + p), basis + (0 .. nbasis - 1));
+    assigns  N[0 .. p], basis[0 .. nbasis - 1];
+    ensures  range: p <= \result < n;
+    ensures  kept:  \forall double *t, integer last, integer degree; 0 <= degree <= last && untouched(N, p + 1, basis, nbasis, t, last) &&
+                        \at(et_surface_domain(t, last, degree), Pre) ==> et_surface_domain(t, last, degree);
+*/
+static size_t values(double *N, const double *u, size_t n, size_t p, double x, double *basis, size_t nbasis)
+{
+    size_t span = et_knots_span(u, n + p + 1, p, x);
+    et_basis_eval(N, u, n + p + 1, p, span, x, basis, nbasis);
+    /*@ assert equal:  \forall double *t, integer last, integer i; untouched(N, p + 1, basis, nbasis, t, last) && 0 <= i <= last ==>
+                           t[i] == \at(t[i], Pre); */
+    /*@ assert finite: \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) && \at(et_surface_finite(t, last), Pre) ==> et_surface_finite(t, last); */
+    /*@ assert rising: \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) && \at(et_surface_rising(t, last), Pre) ==> et_surface_rising(t, last); */
+    /*@ assert ends:   \forall double *t, integer last, integer degree; 0 <= degree <= last && untouched(N, p + 1, basis, nbasis, t, last) ==>
+                           (\at(t[degree] < t[last - degree], Pre) ==> t[degree] < t[last - degree]); */
+    /*@ assert both:   \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) ==>
+                           t[last] == \at(t[last], Pre) && t[0] == \at(t[0], Pre); */
+    /*@ assert width:  \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) && \at(et_surface_width(t, last), Pre) ==> et_surface_width(t, last); */
+    /*@ assert spread: \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) && \at(et_surface_spread(t, last), Pre) ==> et_surface_spread(t, last); */
+    return span;
+}
+
 et_vec3 et_surface_point(const et_surface *s, double u, double v, double *work, size_t nwork)
 {
-    size_t nu = s->nu + s->p + 1, nv = s->nv + s->q + 1;
     room r = divide(s, work);
     (void)nwork;
-    size_t i = et_knots_span(s->u, nu, s->p, u);
-    size_t j = et_knots_span(s->v, nv, s->q, v);
-    et_basis_eval(r.N, s->u, nu, s->p, i, u, r.basis, r.nbasis);
-    et_basis_eval(r.M, s->v, nv, s->q, j, v, r.basis, r.nbasis);
-    surface_contract_u(r.T, s->q + 1, r.N, s, (i - s->p) * s->nv + j - s->q);
+    size_t i = values(r.N, s->u, s->nu, s->p, u, r.basis, r.nbasis);
+    size_t j = values(r.M, s->v, s->nv, s->q, v, r.basis, r.nbasis);
+    surface_contract_u(r.T, s->q + 1, r.N, s, surface_first(s, i, j));
     return surface_project(surface_contract_v(r.T, r.M, s->q), s->weights != NULL);
 }
 

@@ -30,6 +30,18 @@ static inline surface_point surface_add(surface_point a, surface_point b)
     return (surface_point){a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
 }
 
+/* Where the control points of the spans i and j begin. */
+/*@ requires s:     \valid_read(s) && s->p <= i < s->nu && s->q <= j < s->nv && s->nu * s->nv <= SIZE_MAX;
+    assigns  \nothing;
+    ensures  place: \result + s->p * s->nv + s->q < s->nu * s->nv;
+*/
+static inline size_t surface_first(const et_surface *s, size_t i, size_t j)
+{
+    //@ ghost fact_product(i + 1, s->nu, s->nv);
+    //@ ghost fact_product(0, i - s->p, s->nv);
+    return (i - s->p) * s->nv + j - s->q;
+}
+
 /* T[j] = sum_k N[k] (w P)[first + k*nv + j], k = 0..p, j < n. */
 /*@ requires s:     \valid_read(s) && et_surface_stored((et_surface *)s);
     requires T:     \valid(T + (0 .. n - 1));

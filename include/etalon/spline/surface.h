@@ -41,10 +41,14 @@ typedef struct {
 
     predicate et_surface_readable(et_surface *s) = s->u == \null || s->v == \null || s->points == \null || et_surface_stored(s);
 
+    predicate et_surface_finite(double *t, integer last) = \forall integer i; 0 <= i <= last ==> \is_finite(t[i]);
+    predicate et_surface_rising(double *t, integer last) = \forall integer i, j; 0 <= i <= j <= last ==> t[i] <= t[j];
+    predicate et_surface_spread(double *t, integer last) =
+        \forall integer i; 0 < i <= last && t[i - 1] < t[i] ==> t[i] - t[i - 1] >= 0x1p-1022;
+    predicate et_surface_width(double *t, integer last) = \is_finite((double)(t[last] - t[0]));
+
     predicate et_surface_domain(double *t, integer last, integer p) =
-        t[p] < t[last - p] && \is_finite((double)(t[last] - t[0])) && (\forall integer i; 0 <= i <= last ==> \is_finite(t[i])) &&
-        (\forall integer i, j; 0 <= i <= j <= last ==> t[i] <= t[j]) &&
-        (\forall integer i; 0 < i <= last && t[i - 1] < t[i] ==> t[i] - t[i - 1] >= 0x1p-1022);
+        t[p] < t[last - p] && et_surface_width(t, last) && et_surface_finite(t, last) && et_surface_rising(t, last) && et_surface_spread(t, last);
 
     predicate et_surface_ok(et_surface *s) =
         et_surface_stored(s) && s->nu > s->p && s->nv > s->q &&
@@ -54,7 +58,9 @@ typedef struct {
             (s->weights == \null || (\is_finite(s->weights[i]) && s->weights[i] > 0)));
 
     predicate et_surface_apart(et_surface *s, double *a, integer n) =
-        \separated(a + (0 .. n - 1), s->u + (0 .. s->nu + s->p)) && \separated(a + (0 .. n - 1), s->v + (0 .. s->nv + s->q));
+        \separated(a + (0 .. n - 1), s->u + (0 .. s->nu + s->p)) && \separated(a + (0 .. n - 1), s->v + (0 .. s->nv + s->q)) &&
+        \separated(a + (0 .. n - 1), s->points + (0 .. s->nu * s->nv - 1)) &&
+        (s->weights == \null || \separated(a + (0 .. n - 1), s->weights + (0 .. s->nu * s->nv - 1)));
 
     logic integer et_surface_room(et_surface *s) =
         3*(s->p + 1) + 15*(s->q + 1) + \max((s->p + 1)*(s->p + 5), (s->q + 1)*(s->q + 5));
@@ -119,6 +125,7 @@ size_t et_surface_work(const et_surface *s);
 /*@ requires s:      \valid_read(s) && et_surface_ok(s);
     requires finite: \is_finite(u) && \is_finite(v);
     requires room:   nwork >= et_surface_room(s) && \valid(work + (0 .. nwork - 1));
+    requires own:    et_surface_apart(s, work, nwork);
     assigns  work[0 .. nwork - 1];
 */
 et_vec3 et_surface_point(const et_surface *s, double u, double v, double *work, size_t nwork);
@@ -130,6 +137,7 @@ et_vec3 et_surface_point(const et_surface *s, double u, double v, double *work, 
     requires D:      \valid(D + (0 .. 5));
     requires finite: \is_finite(u) && \is_finite(v);
     requires room:   nwork >= et_surface_room(s) && \valid(work + (0 .. nwork - 1));
+    requires own:    et_surface_apart(s, work, nwork);
     requires apart:  \separated(D + (0 .. 5), work + (0 .. nwork - 1));
     assigns  D[0 .. 5], work[0 .. nwork - 1];
 */
@@ -141,7 +149,9 @@ void et_surface_ders(et_vec3 D[6], const et_surface *s, double u, double v, doub
     requires uv:     \valid_read(u + (0 .. n - 1)) && \valid_read(v + (0 .. n - 1));
     requires finite: \forall integer k; 0 <= k < n ==> \is_finite(u[k]) && \is_finite(v[k]);
     requires room:   nwork >= et_surface_room(s) && \valid(work + (0 .. nwork - 1));
-    requires apart:  \separated(S + (0 .. n - 1), u + (0 .. n - 1), work + (0 .. nwork - 1)) && \separated(S + (0 .. n - 1), v + (0 .. n - 1));
+    requires own:    et_surface_apart(s, work, nwork) && et_surface_apart(s, (double *)S, 3 * n);
+    requires apart:  \separated(S + (0 .. n - 1), u + (0 .. n - 1), work + (0 .. nwork - 1)) &&
+                     \separated(S + (0 .. n - 1), v + (0 .. n - 1), work + (0 .. nwork - 1));
     assigns  S[0 .. n - 1], work[0 .. nwork - 1];
 */
 void et_surface_points(et_vec3 *S, const et_surface *s, const double *u, const double *v, size_t n, double *work, size_t nwork);
