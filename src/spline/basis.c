@@ -137,9 +137,70 @@ static double derivative(double *next, const double *prev, const double *ndu, si
     return d;
 }
 
+/* Column r of D: the derivatives of function r up to order top, without their factors. */
+/*@ requires place: r <= p && top <= p && only <= p + 1;
+    requires room:  (p + 1)*(p + 1) <= SIZE_MAX && \valid_read(ndu + (0 .. (p + 1)*(p + 1) - 1)) && \valid(a + (0 .. 2*(p + 1) - 1));
+    requires D:     (top + 1)*(p + 1) <= SIZE_MAX && \valid(D + (0 .. (top + 1)*(p + 1) - 1));
+    assigns  D[0 .. (top + 1)*(p + 1) - 1], a[0 .. 2*(p + 1) - 1];
+*/
+static void column(double *D, size_t top, const double *ndu, double *a, size_t p, size_t r, size_t only)
+{
+    size_t w = p + 1;
+    double *prev = a, *next = a + w;
+    //@ ghost fact_product(r + 1, w, w);
+    //@ ghost fact_product(0, r, w);
+    //@ ghost fact_product(1, top + 1, w);
+    //@ assert first: r < (top + 1)*w && r*w + p < w*w;
+    prev[0] = 1.0;
+    D[r] = only > p ? ndu[r * w + p] : r == only ? 1.0 : 0.0;
+    /*@ loop invariant place: 1 <= k <= top + 1;
+        loop invariant rows:  (prev == a && next == a + w) || (prev == a + w && next == a);
+        loop assigns k, prev, next, D[0 .. (top + 1)*w - 1], a[0 .. 2*w - 1];
+        loop variant top - k;
+    */
+    for (size_t k = 1; k <= top; k++) {
+        //@ ghost fact_product(k + 1, top + 1, w);
+        //@ ghost fact_product(0, k, w);
+        //@ assert at: 0 <= k*w <= k*w + r < (top + 1)*w;
+        D[k * w + r] = derivative(next, prev, ndu, p, r, k);
+        double *swap = prev;
+        prev = next;
+        next = swap;
+    }
+}
+
+/* Rows 1 .. d get their factors p!/(p-k)!, which are 0 beyond the degree. */
+/*@ requires D: p < SIZE_MAX && (d + 1)*(p + 1) <= SIZE_MAX && \valid(D + (0 .. (d + 1)*(p + 1) - 1));
+    assigns  D[0 .. (d + 1)*(p + 1) - 1];
+*/
+static void factors(double *D, size_t d, size_t p)
+{
+    size_t w = p + 1;
+    double factor = 1.0;
+    //@ ghost fact_product(1, w, d + 1);
+    /*@ loop invariant place: 1 <= k <= d + 1;
+        loop assigns k, factor, D[0 .. (d + 1)*w - 1];
+        loop variant d - k;
+    */
+    for (size_t k = 1; k <= d; k++) {
+        //@ ghost fact_product(k + 1, d + 1, w);
+        //@ ghost fact_product(0, k, w);
+        factor *= k <= p ? (double)(p - k + 1) : 0.0;
+        /*@ loop invariant place: r <= p + 1;
+            loop assigns r, D[0 .. (d + 1)*w - 1];
+            loop variant p - r;
+        */
+        for (size_t r = 0; r <= p; r++) {
+            //@ assert at: 0 <= k*w <= k*w + r < (d + 1)*w;
+            D[k * w + r] = k <= p ? D[k * w + r] * factor : 0.0;
+        }
+    }
+}
+
 void et_basis_ders(double *D, size_t d, const double *u, size_t nu, size_t p, size_t span, double x, double *work, size_t nwork)
 {
     size_t w = p + 1, top = d < p ? d : p;
+    //@ ghost fact_product(w, p + 5, w);
     double *ndu = work, *a = ndu + w * w, *left = a + 2 * w, *right = left + w;
     (void)nwork;
     x = clamp(x, u[p], u[nu - p - 1]);
@@ -147,44 +208,11 @@ void et_basis_ders(double *D, size_t d, const double *u, size_t nu, size_t p, si
     triangle(ndu, left, right, p);
     //@ ghost fact_product(top + 1, d + 1, w);
     /*@ loop invariant place: r <= p + 1;
-        loop assigns r, D[0 .. (d + 1)*w - 1], a[0 .. 2*w - 1];
+        loop assigns r, D[0 .. (top + 1)*w - 1], a[0 .. 2*w - 1];
         loop variant p - r;
     */
     for (size_t r = 0; r <= p; r++) {
-        //@ ghost fact_product(r + 1, w, w);
-        //@ ghost fact_product(1, d + 1, w);
-        //@ assert value: r < (d + 1)*w;
-        //@ assert top:   r*w + p < w*w;
-        double *prev = a, *next = a + w;
-        prev[0] = 1.0;
-        D[r] = only > p ? ndu[r * w + p] : r == only ? 1.0 : 0.0;
-        /*@ loop invariant place: 1 <= k <= top + 1;
-            loop invariant rows:  (prev == a && next == a + w) || (prev == a + w && next == a);
-            loop assigns k, prev, next, D[0 .. (d + 1)*w - 1], a[0 .. 2*w - 1];
-            loop variant top - k;
-        */
-        for (size_t k = 1; k <= top; k++) {
-            //@ ghost fact_product(k + 1, d + 1, w);
-            D[k * w + r] = derivative(next, prev, ndu, p, r, k);
-            double *swap = prev;
-            prev = next;
-            next = swap;
-        }
+        column(D, top, ndu, a, p, r, only);
     }
-    double factor = 1.0;
-    /*@ loop invariant place: 1 <= k <= d + 1;
-        loop assigns k, factor, D[0 .. (d + 1)*w - 1];
-        loop variant d - k;
-    */
-    for (size_t k = 1; k <= d; k++) {
-        //@ ghost fact_product(k + 1, d + 1, w);
-        factor *= k <= p ? (double)(p - k + 1) : 0.0;
-        /*@ loop invariant place: r <= p + 1;
-            loop assigns r, D[0 .. (d + 1)*w - 1];
-            loop variant p - r;
-        */
-        for (size_t r = 0; r <= p; r++) {
-            D[k * w + r] = k <= p ? D[k * w + r] * factor : 0.0;
-        }
-    }
+    factors(D, d, p);
 }

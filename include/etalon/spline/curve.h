@@ -11,6 +11,7 @@
  */
 #ifndef ETALON_SPLINE_CURVE_H
 #define ETALON_SPLINE_CURVE_H
+#include "etalon/base/size.h"
 #include "etalon/base/status.h"
 #include "etalon/base/vec3.h"
 #include "etalon/spline/knots.h"
@@ -33,13 +34,17 @@ typedef struct {
     predicate et_curve_readable(et_curve *c) = c->u == \null || c->points == \null || et_curve_stored(c);
 
     predicate et_curve_ok(et_curve *c) =
-        et_curve_stored(c) && c->n > c->p && c->u[c->p] < c->u[c->n] && \is_finite((double)(c->u[c->n + c->p] - c->u[0])) &&
+        et_curve_stored(c) && c->n > c->p && c->n + c->p < SIZE_MAX && c->u[c->p] < c->u[c->n] && \is_finite((double)(c->u[c->n + c->p] - c->u[0])) &&
         (\forall integer i; 0 <= i <= c->n + c->p ==> \is_finite(c->u[i])) &&
         (\forall integer i, j; 0 <= i <= j <= c->n + c->p ==> c->u[i] <= c->u[j]) &&
         (\forall integer i; 0 < i <= c->n + c->p && c->u[i - 1] < c->u[i] ==> c->u[i] - c->u[i - 1] >= 0x1p-1022) &&
         (\forall integer i; 0 <= i < c->n ==>
             \is_finite(c->points[i].x) && \is_finite(c->points[i].y) && \is_finite(c->points[i].z) &&
             (c->weights == \null || (\is_finite(c->weights[i]) && c->weights[i] > 0)));
+
+    predicate et_curve_apart(et_curve *c, double *a, integer n) =
+        \separated(a + (0 .. n - 1), c->u + (0 .. c->n + c->p)) && \separated(a + (0 .. n - 1), c->points + (0 .. c->n - 1)) &&
+        (c->weights == \null || \separated(a + (0 .. n - 1), c->weights + (0 .. c->n - 1)));
 
     logic integer et_curve_room(et_curve *c, integer d) = (\min(d, c->p) + 1)*(c->p + 1) + (c->p + 1)*(c->p + 5) + 2*(d + 1);
 */
@@ -58,11 +63,12 @@ int et_curve_valid(const et_curve *c);
  * Golden: none (storage). */
 /*@ requires c:     \valid(c);
     assigns  *c;
-    ensures  sizes: \result == ET_OK ==> c->p == p && c->n == n;
-    ensures  made:  \result == ET_OK ==> \valid(c->u + (0 .. n + p)) && \valid(c->points + (0 .. n - 1));
+    ensures  sizes: \result == ET_OK ==> c->p == p && c->n == n && n + p < SIZE_MAX;
+    ensures  made:  \result == ET_OK ==> et_array((char *)c->u, n + p + 1, sizeof(double)) && et_array((char *)c->points, n, sizeof(et_vec3));
+    ensures  fits:  \result == ET_OK ==> sizeof(double)*(n + p + 1) <= SIZE_MAX && sizeof(et_vec3)*n <= SIZE_MAX;
     ensures  kind:  \result == ET_OK ==> (c->weights == \null <==> rational == 0);
-    ensures  ones:  \result == ET_OK && rational != 0 ==> \valid(c->weights + (0 .. n - 1)) &&
-                        \forall integer i; 0 <= i < n ==> c->weights[i] == 1.0;
+    ensures  room:  \result == ET_OK && rational != 0 ==> et_array((char *)c->weights, n, sizeof(double));
+    ensures  ones:  \result == ET_OK && rational != 0 ==> \forall integer i; 0 <= i < n ==> c->weights[i] == 1.0;
     ensures  few:   n <= p ==> \result == ET_EINVAL;
     ensures  kept:  \result != ET_OK ==> *c == \old(*c);
 */
@@ -81,6 +87,7 @@ void et_curve_free(et_curve *c);
 /*@ requires c:    \valid_read(c);
     assigns  \nothing;
     ensures  room: \result >= 2;
+    ensures  size: \result == (et_curve_room(c, d) <= SIZE_MAX && d <= SIZE_MAX / 4 ? et_curve_room(c, d) : SIZE_MAX);
 */
 size_t et_curve_work(const et_curve *c, size_t d);
 
@@ -89,6 +96,7 @@ size_t et_curve_work(const et_curve *c, size_t d);
 /*@ requires c:      \valid_read(c) && et_curve_ok(c);
     requires finite: \is_finite(x);
     requires room:   nwork >= et_curve_room(c, 0) && \valid(work + (0 .. nwork - 1));
+    requires own:    et_curve_apart(c, work, nwork);
     assigns  work[0 .. nwork - 1];
 */
 et_vec3 et_curve_point(const et_curve *c, double x, double *work, size_t nwork);
@@ -105,6 +113,7 @@ et_vec3 et_curve_point(const et_curve *c, double x, double *work, size_t nwork);
     requires D:      \valid(D + (0 .. d));
     requires finite: \is_finite(x);
     requires room:   nwork >= et_curve_room(c, d) && \valid(work + (0 .. nwork - 1));
+    requires own:    et_curve_apart(c, work, nwork) && et_curve_apart(c, (double *)D, 3 * (d + 1));
     requires apart:  \separated(D + (0 .. d), work + (0 .. nwork - 1));
     assigns  D[0 .. d], work[0 .. nwork - 1];
     ensures  above:  c->weights == \null ==> \forall integer k; c->p < k <= d ==> D[k].x == 0.0 && D[k].y == 0.0 && D[k].z == 0.0;
@@ -130,6 +139,7 @@ et_status et_curve_copy(et_curve *copy, const et_curve *c);
     requires finite: \is_finite(x);
     requires side:   side == ET_SIDE_RIGHT || side == ET_SIDE_LEFT;
     requires room:   nwork >= et_curve_room(c, d) && \valid(work + (0 .. nwork - 1));
+    requires own:    et_curve_apart(c, work, nwork) && et_curve_apart(c, (double *)D, 3 * (d + 1));
     requires apart:  \separated(D + (0 .. d), work + (0 .. nwork - 1));
     assigns  D[0 .. d], work[0 .. nwork - 1];
     ensures  above:  c->weights == \null ==> \forall integer k; c->p < k <= d ==> D[k].x == 0.0 && D[k].y == 0.0 && D[k].z == 0.0;

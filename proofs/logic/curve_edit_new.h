@@ -1,0 +1,3 @@
+/* As in alloc.h and curve_edit.h. */
+#include "alloc.h"
+#include "curve_edit.h"

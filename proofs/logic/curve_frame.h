@@ -1,0 +1,3 @@
+/* As in alloc_frame.h and curve.h. */
+#include "alloc_frame.h"
+#include "curve.h"

@@ -1,0 +1,3 @@
+/* As in alloc.h and curve.h. */
+#include "alloc.h"
+#include "curve.h"
