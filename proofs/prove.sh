@@ -6,9 +6,10 @@
 #   constants  the bounds in the documentation, in the code's comments and in the proofs are one and the same
 #   gappa      the bounds for degree 3
 #   coq        the theorems, and on which axioms they rest: golden/proofs/assumptions.txt, rounding_assumptions.txt
+#   eva        no run-time error in the ranges of proofs/eva
 #   UNIT       a unit of proofs/wp.tsv
 #
-# --quick: of the last three kinds only those whose text (or whatever it includes) is not the one that golden/proofs/proved.tsv says was proved.
+# --quick: of the last four kinds only those whose text (or whatever it includes) is not the one that golden/proofs/proved.tsv says was proved.
 # --changed: only their names.
 # --accept: numbers of goals, axioms and texts become golden.  What BUILD holds is not proved again, so that a run that was stopped goes on.
 set -u
@@ -39,6 +40,7 @@ inputs() {
     case $1 in
     gappa) ls proofs/gappa/*.g ;;
     coq) ls proofs/coq/*.v proofs/coq/order ;;
+    eva) for room in base spline net som fit; do ls include/etalon/$room/*.h src/$room/*; done; ls proofs/eva.sh proofs/eva/* ;;
     *)
         source=$(sed -n "s/^$1	\([^	]*\).*/\1/p" proofs/wp.tsv)
         gcc -MM -Iinclude -Isrc "$source" | tr -d '\\' | tr ' ' '\n' | grep -E '^(src|include|proofs)/'
@@ -120,6 +122,17 @@ gappa_all() {
     [ -z "$right" ] || record gappa
 }
 
+eva() {
+    wants frama-c eva || return
+    right=yes
+    # shellcheck disable=SC2086
+    sh proofs/eva.sh $accept "$build/eva" > "$build/eva.log" 2>&1 || right=
+    grep -v ' passed, ' "$build/eva.log"
+    passed=$((passed + $(grep -c '^ok' "$build/eva.log")))
+    [ -n "$right" ] && record eva && return
+    failed=$((failed + 1))
+}
+
 unit() {
     wants frama-c "wp $1" && wants cvc4 "wp $1" && wants z3 "wp $1" || return
     # shellcheck disable=SC2086
@@ -135,10 +148,10 @@ unit() {
 mkdir -p $golden
 units=$(sed -n 's/^\([a-z][^	]*\)	.*/\1/p' proofs/wp.tsv)
 if [ -n "$changed" ]; then
-    for piece in gappa coq $units; do unchanged "$piece" || echo "$piece"; done
+    for piece in gappa coq eva $units; do unchanged "$piece" || echo "$piece"; done
     exit 0
 fi
-[ $# -gt 0 ] || set -- quote tie constants gappa coq $units
+[ $# -gt 0 ] || set -- quote tie constants gappa coq eva $units
 for piece; do
     case $piece in
     quote) sh proofs/coq/quote.sh > "$build/quote.log" 2>&1 && good "quote: $(tail -n 1 "$build/quote.log")" || { cat "$build/quote.log"; bad quote; } ;;
@@ -152,6 +165,7 @@ for piece; do
         case $piece in
         coq) coq ;;
         gappa) gappa_all ;;
+        eva) eva ;;
         *) unit "$piece" ;;
         esac
         ;;
