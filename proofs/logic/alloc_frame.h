@@ -3,6 +3,7 @@
 #define LOGIC_ALLOC_FRAME_H
 #include "alloc.h"
 #define et_array(p, count, size) frame_array(p)
+#define et_numbers(p, n) frame_array((char *)(void *)p)
 #define et_size_array(count, size) frame_size_array(count, size)
 /*@ predicate frame_array(char *p) = \block_length(p) == 0 && p == \base_addr(p); */
 /*@ assigns \result \from count, size;

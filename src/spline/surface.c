@@ -47,6 +47,14 @@ et_status et_surface_new(et_surface *s, size_t p, size_t q, size_t nu, size_t nv
         et_surface_free(&t);
         return ET_ENOMEM;
     }
+    //@ assert made: et_numbers(t.u, nu + p + 1) && et_numbers(t.v, nv + q + 1) && et_numbers((double *)t.points, 3 * n);
+    //@ assert fits: (nu + p + 1) * sizeof(double) <= SIZE_MAX && (nv + q + 1) * sizeof(double) <= SIZE_MAX && n * sizeof(et_vec3) <= SIZE_MAX;
+    //@ assert room: rational != 0 ==> et_numbers(t.weights, n);
+    /*@ loop invariant place: i <= n;
+        loop invariant ones:  rational != 0 ==> \forall integer k; 0 <= k < i ==> t.weights[k] == 1.0;
+        loop assigns i, t.weights[0 .. n - 1];
+        loop variant n - i;
+    */
     for (size_t i = 0; rational && i < n; i++) {
         t.weights[i] = 1.0;
     }
@@ -61,14 +69,24 @@ et_status et_surface_copy(et_surface *copy, const et_surface *s)
     if (status != ET_OK) {
         return status;
     }
+    //@ assert sizes: s->nu * s->nv * sizeof(et_vec3) <= SIZE_MAX && s->nu > s->p && s->nv > s->q && s->nu * s->nv >= 0;
     size_t n = s->nu * s->nv;
+    /*@ assert fresh: \separated(t.u + (0 .. s->nu + s->p), s->u + (0 .. s->nu + s->p)) &&
+                      \separated(t.v + (0 .. s->nv + s->q), s->v + (0 .. s->nv + s->q)) &&
+                      \separated(t.points + (0 .. s->nu * s->nv - 1), s->points + (0 .. s->nu * s->nv - 1)) &&
+                      (s->weights == \null || \separated(t.weights + (0 .. s->nu * s->nv - 1), s->weights + (0 .. s->nu * s->nv - 1))); */
+    /*@ assert stored: et_numbers(t.u, s->nu + s->p + 1) && et_numbers(t.v, s->nv + s->q + 1) && et_numbers((double *)t.points, 3 * n) &&
+                       t.u != s->u && t.v != s->v && t.points != s->points; */
     memcpy(t.u, s->u, (s->nu + s->p + 1) * sizeof *t.u);
     memcpy(t.v, s->v, (s->nv + s->q + 1) * sizeof *t.v);
     memcpy(t.points, s->points, n * sizeof *t.points);
     if (s->weights) {
         memcpy(t.weights, s->weights, n * sizeof *t.weights);
     }
+    //@ ghost size_t nu = s->nu, nv = s->nv, p = s->p, q = s->q;
     *copy = t;
+    //@ assert kept:  s->nu == nu && s->nv == nv && s->p == p && s->q == q;
+    //@ assert same:  copy->u == t.u && copy->v == t.v && copy->points == t.points;
     return ET_OK;
 }
 
@@ -119,6 +137,7 @@ size_t et_surface_work(const et_surface *s)
     requires room:  et_surface_room((et_surface *)s) <= SIZE_MAX && \valid(work + (0 .. et_surface_room((et_surface *)s) - 1));
     assigns  \nothing;
     ensures  rows:  \result.N == work && \result.M == work + 3*(s->p + 1) && \result.basis == work + 3*(s->p + 1) + 15*(s->q + 1);
+    ensures  valid: \valid(\result.N + (0 .. 3*(s->p + 1) - 1)) && \valid(\result.M + (0 .. 3*(s->q + 1) - 1));
     ensures  sums:  \result.T == (surface_point *)(work + 3*(s->p + 1) + 3*(s->q + 1)) && \valid(\result.T + (0 .. 3*(s->q + 1) - 1));
     ensures  basis: 2*(s->p + 1) <= \result.nbasis && 2*(s->q + 1) <= \result.nbasis && \valid(\result.basis + (0 .. \result.nbasis - 1));
     ensures  ders:  \result.nbasis == \max((s->p + 1)*(s->p + 5), (s->q + 1)*(s->q + 5));
@@ -151,14 +170,18 @@ static size_t values(double *N, const double *u, size_t n, size_t p, double x, d
     et_basis_eval(N, u, n + p + 1, p, span, x, basis, nbasis);
     /*@ assert equal:  \forall double *t, integer last, integer i; untouched(N, p + 1, basis, nbasis, t, last) && 0 <= i <= last ==>
                            t[i] == \at(t[i], Pre); */
-    /*@ assert finite: \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) && \at(et_surface_finite(t, last), Pre) ==> et_surface_finite(t, last); */
-    /*@ assert rising: \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) && \at(et_surface_rising(t, last), Pre) ==> et_surface_rising(t, last); */
+    /*@ assert finite: \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) &&
+                           \at(et_surface_finite(t, last), Pre) ==> et_surface_finite(t, last); */
+    /*@ assert rising: \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) &&
+                           \at(et_surface_rising(t, last), Pre) ==> et_surface_rising(t, last); */
     /*@ assert ends:   \forall double *t, integer last, integer degree; 0 <= degree <= last && untouched(N, p + 1, basis, nbasis, t, last) ==>
                            (\at(t[degree] < t[last - degree], Pre) ==> t[degree] < t[last - degree]); */
     /*@ assert both:   \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) ==>
                            t[last] == \at(t[last], Pre) && t[0] == \at(t[0], Pre); */
-    /*@ assert width:  \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) && \at(et_surface_width(t, last), Pre) ==> et_surface_width(t, last); */
-    /*@ assert spread: \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) && \at(et_surface_spread(t, last), Pre) ==> et_surface_spread(t, last); */
+    /*@ assert width:  \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) &&
+                           \at(et_surface_width(t, last), Pre) ==> et_surface_width(t, last); */
+    /*@ assert spread: \forall double *t, integer last; 0 <= last && untouched(N, p + 1, basis, nbasis, t, last) &&
+                           \at(et_surface_spread(t, last), Pre) ==> et_surface_spread(t, last); */
     return span;
 }
 
@@ -173,20 +196,29 @@ et_vec3 et_surface_point(const et_surface *s, double u, double v, double *work, 
 }
 
 /* (A - a S) with the homogeneous derivative A and a number a. */
+/*@ assigns \nothing; */
 static et_vec3 less(et_vec3 A, double a, et_vec3 S)
 {
     return (et_vec3){A.x - a * S.x, A.y - a * S.y, A.z - a * S.z};
 }
 
+/*@ assigns \nothing; */
 static et_vec3 over(et_vec3 A, double w)
 {
     return (et_vec3){A.x / w, A.y / w, A.z / w};
 }
 
 /* Eq. 4.20: from the homogeneous derivatives A, in the order of D, to those of the quotient. */
+/*@ requires D:     \valid(D + (0 .. 5)) && \valid_read(A + (0 .. 5));
+    assigns  D[0 .. 5];
+*/
 static void quotient(et_vec3 D[6], const surface_point A[6])
 {
     et_vec3 B[6];
+    /*@ loop invariant place: k <= 6;
+        loop assigns k, B[0 .. 5];
+        loop variant 6 - k;
+    */
     for (size_t k = 0; k < 6; k++) {
         B[k] = (et_vec3){A[k].x, A[k].y, A[k].z};
     }
@@ -199,27 +231,75 @@ static void quotient(et_vec3 D[6], const surface_point A[6])
     D[5] = over(less(less(B[5], 2.0 * wv, D[2]), A[5].w, D[0]), w);
 }
 
+/* As values(), with two rows of derivatives. */
+/*@ requires count: p < n && n + p < SIZE_MAX && \is_finite(x);
+    requires knots: \valid_read(u + (0 .. n + p)) && et_surface_domain((double *)u, n + p, p);
+    requires room:  3*(p + 1) <= SIZE_MAX && (p + 1)*(p + 5) <= nbasis && \valid(N + (0 .. 3*(p + 1) - 1)) && \valid(basis + (0 .. nbasis - 1));
+    requires apart: \separated(N + (0 .. 3*(p + 1) - 1), u + (0 .. n + p), basis + (0 .. nbasis - 1));
+    assigns  N[0 .. 3*(p + 1) - 1], basis[0 .. nbasis - 1];
+    ensures  range: p <= \result < n;
+    ensures  kept:  \forall double *t, integer last, integer degree; 0 <= degree <= last && untouched(N, 3*(p + 1), basis, nbasis, t, last) &&
+                        \at(et_surface_domain(t, last, degree), Pre) ==> et_surface_domain(t, last, degree);
+*/
+static size_t derivatives(double *N, const double *u, size_t n, size_t p, double x, double *basis, size_t nbasis)
+{
+    size_t span = et_knots_span(u, n + p + 1, p, x);
+    et_basis_ders(N, 2, u, n + p + 1, p, span, x, basis, nbasis);
+    /*@ assert equal:  \forall double *t, integer last, integer i; untouched(N, 3*(p + 1), basis, nbasis, t, last) && 0 <= i <= last ==>
+                           t[i] == \at(t[i], Pre); */
+    /*@ assert finite: \forall double *t, integer last; 0 <= last && untouched(N, 3*(p + 1), basis, nbasis, t, last) &&
+                           \at(et_surface_finite(t, last), Pre) ==> et_surface_finite(t, last); */
+    /*@ assert rising: \forall double *t, integer last; 0 <= last && untouched(N, 3*(p + 1), basis, nbasis, t, last) &&
+                           \at(et_surface_rising(t, last), Pre) ==> et_surface_rising(t, last); */
+    /*@ assert ends:   \forall double *t, integer last, integer degree; 0 <= degree <= last && untouched(N, 3*(p + 1), basis, nbasis, t, last) ==>
+                           (\at(t[degree] < t[last - degree], Pre) ==> t[degree] < t[last - degree]); */
+    /*@ assert both:   \forall double *t, integer last; 0 <= last && untouched(N, 3*(p + 1), basis, nbasis, t, last) ==>
+                           t[last] == \at(t[last], Pre) && t[0] == \at(t[0], Pre); */
+    /*@ assert width:  \forall double *t, integer last; 0 <= last && untouched(N, 3*(p + 1), basis, nbasis, t, last) &&
+                           \at(et_surface_width(t, last), Pre) ==> et_surface_width(t, last); */
+    /*@ assert spread: \forall double *t, integer last; 0 <= last && untouched(N, 3*(p + 1), basis, nbasis, t, last) &&
+                           \at(et_surface_spread(t, last), Pre) ==> et_surface_spread(t, last); */
+    return span;
+}
+
 void et_surface_ders(et_vec3 D[6], const et_surface *s, double u, double v, double *work, size_t nwork)
 {
     static const size_t du[6] = {0, 1, 0, 2, 1, 0}, dv[6] = {0, 0, 1, 0, 1, 2};
-    size_t nu = s->nu + s->p + 1, nv = s->nv + s->q + 1, n = s->q + 1;
+    size_t n = s->q + 1;
     surface_point A[6];
     room r = divide(s, work);
     (void)nwork;
-    size_t i = et_knots_span(s->u, nu, s->p, u);
-    size_t j = et_knots_span(s->v, nv, s->q, v);
-    et_basis_ders(r.N, 2, s->u, nu, s->p, i, u, r.basis, r.nbasis);
-    et_basis_ders(r.M, 2, s->v, nv, s->q, j, v, r.basis, r.nbasis);
+    size_t i = derivatives(r.N, s->u, s->nu, s->p, u, r.basis, r.nbasis);
+    size_t j = derivatives(r.M, s->v, s->nv, s->q, v, r.basis, r.nbasis);
+    size_t first = surface_first(s, i, j);
+    /*@ loop invariant place: k <= 3;
+        loop assigns k, work[0 .. nwork - 1];
+        loop variant 3 - k;
+    */
     for (size_t k = 0; k < 3; k++) {
-        surface_contract_u(r.T + k * n, n, r.N + k * (s->p + 1), s, (i - s->p) * s->nv + j - s->q);
+        //@ ghost fact_product(k, 2, n);
+        //@ ghost fact_product(k, 2, s->p + 1);
+        //@ ghost fact_product(0, k, s->p + 1);
+        surface_contract_u(r.T + k * n, n, r.N + k * (s->p + 1), s, first);
     }
+    /*@ loop invariant place: k <= 6;
+        loop assigns k, A[0 .. 5];
+        loop variant 6 - k;
+    */
     for (size_t k = 0; k < 6; k++) {
+        //@ assert which: (du[k] == 0 || du[k] == 1 || du[k] == 2) && (dv[k] == 0 || dv[k] == 1 || dv[k] == 2);
+        //@ ghost fact_product(du[k], 2, n);
+        //@ ghost fact_product(dv[k], 2, n);
         A[k] = surface_contract_v(r.T + du[k] * n, r.M + dv[k] * n, s->q);
     }
     if (s->weights) {
         quotient(D, A);
         return;
     }
+    /*@ loop invariant place: k <= 6;
+        loop assigns k, D[0 .. 5];
+        loop variant 6 - k;
+    */
     for (size_t k = 0; k < 6; k++) {
         D[k] = surface_project(A[k], 0);
     }

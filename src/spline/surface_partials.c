@@ -4,11 +4,17 @@
 #include "surface_parts.h"
 #include <stdint.h>
 
+/*@ assigns \nothing;
+    ensures  value: \result == \min(a, b);
+*/
 static size_t lesser(size_t a, size_t b)
 {
     return a < b ? a : b;
 }
 
+/*@ assigns \nothing;
+    ensures  value: \result == \max(a, b);
+*/
 static size_t greater(size_t a, size_t b)
 {
     return a > b ? a : b;
@@ -16,11 +22,17 @@ static size_t greater(size_t a, size_t b)
 
 /* ---- workspace; SIZE_MAX stands for all that does not fit ---- */
 
+/*@ assigns \nothing;
+    ensures  value: \result == (a + b <= SIZE_MAX ? a + b : SIZE_MAX);
+*/
 static size_t plus(size_t a, size_t b)
 {
     return a > SIZE_MAX - b ? SIZE_MAX : a + b;
 }
 
+/*@ assigns \nothing;
+    ensures  value: \result == (a * b <= SIZE_MAX ? a * b : SIZE_MAX);
+*/
 static size_t product(size_t a, size_t b)
 {
     size_t n = SIZE_MAX;
@@ -28,11 +40,20 @@ static size_t product(size_t a, size_t b)
 }
 
 /* n (n + 1)/2: numbers in a triangle of n rows. */
+/*@ assigns \nothing;
+    ensures  value: 2*\result == n*(n + 1) || (\result == SIZE_MAX && n*(n + 1) > 2*SIZE_MAX);
+    ensures  some:  n >= 1 ==> \result >= 1;
+*/
 static size_t triangle(size_t n)
 {
     return n % 2 == 0 ? product(n / 2, n + 1) : product(n, n / 2 + 1);
 }
 
+/*@ requires s:    \valid_read(s);
+    assigns  \nothing;
+    ensures  room: (s->p + 1)*(s->p + 5) <= SIZE_MAX && (s->q + 1)*(s->q + 5) <= SIZE_MAX
+                       ==> \result == \max((s->p + 1)*(s->p + 5), (s->q + 1)*(s->q + 5));
+*/
 static size_t basis_room(const et_surface *s)
 {
     return greater(et_basis_work(s->p, 1), et_basis_work(s->q, 1));

@@ -19,13 +19,16 @@ et_status et_size_mul(size_t *product, size_t a, size_t b);
 
 /* Memory of count elements of size bytes: for WP, which counts scalars, as many numbers or pointers as fill it, which never says too much. */
 /*@ predicate et_array(char *p, integer count, integer size) =
-        (size % 8 == 0 ==> \valid((double *)p + (0 .. count * (size / 8) - 1))) && (size == 1 ==> \valid(p + (0 .. count - 1))); */
+        (size % 8 == 0 ==> \valid((double *)p + (0 .. count * (size / 8) - 1))) && (size == 1 ==> \valid(p + (0 .. count - 1)));
+
+    predicate et_numbers(double *p, integer n) = \valid(p + (0 .. n - 1)); */
 
 /* A new array of count elements of size bytes each, all bytes zero, aligned to 64 bytes; count == 0 gives a valid pointer to free.
  * Returns null when the product overflows or memory is short.  The caller frees it with free().
  * Golden: none (an address). */
 /*@ assigns \result \from count, size;
     ensures array: \result == \null || et_array((char *)\result, count, size);
+    ensures fits:  \result == \null || count * size <= SIZE_MAX;
 */
 void *et_size_array(size_t count, size_t size);
 

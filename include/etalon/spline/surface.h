@@ -12,6 +12,7 @@
  */
 #ifndef ETALON_SPLINE_SURFACE_H
 #define ETALON_SPLINE_SURFACE_H
+#include "etalon/base/size.h"
 #include "etalon/base/status.h"
 #include "etalon/base/vec3.h"
 #include "etalon/spline/knots.h"
@@ -81,10 +82,14 @@ int et_surface_valid(const et_surface *s);
 /*@ requires s:     \valid(s);
     assigns  *s;
     ensures  sizes: \result == ET_OK ==> s->p == p && s->q == q && s->nu == nu && s->nv == nv;
-    ensures  made:  \result == ET_OK ==> \valid(s->u + (0 .. nu + p)) && \valid(s->v + (0 .. nv + q)) && \valid(s->points + (0 .. nu * nv - 1));
+    ensures  fits:  \result == ET_OK ==> (nu + p + 1) * sizeof(double) <= SIZE_MAX && (nv + q + 1) * sizeof(double) <= SIZE_MAX &&
+                                          nu * nv * sizeof(et_vec3) <= SIZE_MAX;
+    ensures  made:  \result == ET_OK ==> et_numbers(s->u, nu + p + 1) && et_numbers(s->v, nv + q + 1) &&
+                                          et_numbers((double *)s->points, 3 * (nu * nv));
     ensures  kind:  \result == ET_OK ==> (s->weights == \null <==> rational == 0);
-    ensures  ones:  \result == ET_OK && rational != 0 ==> \valid(s->weights + (0 .. nu * nv - 1)) &&
-                        \forall integer i; 0 <= i < nu * nv ==> s->weights[i] == 1.0;
+    ensures  room:  \result == ET_OK && rational != 0 ==> et_numbers(s->weights, nu * nv);
+    ensures  ones:  \result == ET_OK && rational != 0 ==> \forall integer i; 0 <= i < nu * nv ==> s->weights[i] == 1.0;
+    ensures  ends:  \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
     ensures  few:   nu <= p || nv <= q ==> \result == ET_EINVAL;
     ensures  kept:  \result != ET_OK ==> *s == \old(*s);
 */
@@ -98,6 +103,11 @@ et_status et_surface_new(et_surface *s, size_t p, size_t q, size_t nu, size_t nv
     assigns  *copy;
     ensures  sizes: \result == ET_OK ==> copy->p == s->p && copy->q == s->q && copy->nu == s->nu && copy->nv == s->nv;
     ensures  own:   \result == ET_OK ==> copy->u != s->u && copy->v != s->v && copy->points != s->points;
+    ensures  made:  \result == ET_OK ==> et_numbers(copy->u, s->nu + s->p + 1) &&
+                        et_numbers(copy->v, s->nv + s->q + 1) && et_numbers((double *)copy->points, 3 * (s->nu * s->nv));
+    ensures  kind:  \result == ET_OK ==> (copy->weights == \null <==> s->weights == \null);
+    ensures  room:  \result == ET_OK && s->weights != \null ==> et_numbers(copy->weights, s->nu * s->nv);
+    ensures  ends:  \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
     ensures  kept:  \result != ET_OK ==> *copy == \old(*copy);
 */
 et_status et_surface_copy(et_surface *copy, const et_surface *s);

@@ -1,0 +1,2 @@
+/* As in surface.h: facts on products. */
+#include "surface.h"
