@@ -40,6 +40,8 @@ et_status et_curve_new(et_curve *c, size_t p, size_t n, int rational)
         et_curve_free(&t);
         return ET_ENOMEM;
     }
+    //@ assert made: et_numbers(t.u, n + p + 1) && et_numbers((double *)t.points, 3 * n);
+    //@ assert room: rational != 0 ==> et_numbers(t.weights, n);
     /*@ loop invariant place: i <= n;
         loop invariant ones:  rational != 0 ==> \forall integer k; 0 <= k < i ==> t.weights[k] == 1.0;
         loop assigns i, t.weights[0 .. n - 1];
@@ -126,6 +128,8 @@ et_vec3 et_curve_point(const et_curve *c, double x, double *work, size_t nwork)
 {
     size_t nu = c->n + c->p + 1, span = et_knots_span(c->u, nu, c->p, x);
     //@ ghost fact_product(2, c->p + 5, c->p + 1);
+    //@ assert zero: \min(0, c->p) == 0;
+    //@ assert one:  et_curve_room((et_curve *)c, 0) == 1*(c->p + 1) + (c->p + 1)*(c->p + 5) + 2;
     //@ assert room: 3*(c->p + 1) <= nwork;
     et_basis_eval(work, c->u, nu, c->p, span, x, work + c->p + 1, nwork - c->p - 1);
     return project(contract(work, c, span - c->p), c->weights != NULL);
@@ -170,11 +174,13 @@ static et_vec3 quotient(homogeneous A, const et_vec3 *D, const double *w, const 
 void et_curve_ders_side(et_vec3 *D, size_t d, const et_curve *c, double x, et_side side, double *work, size_t nwork)
 {
     size_t nu = c->n + c->p + 1, span = et_knots_span_side(c->u, nu, c->p, x, side), top = lesser(d, c->p);
-    //@ ghost fact_product(0, top + 1, c->p + 1);
-    //@ ghost fact_product(0, c->p + 1, c->p + 5);
-    //@ ghost fact_product(top + 1, c->p + 1, c->p + 1);
-    //@ assert fits: 2*(d + 1) + (top + 1)*(c->p + 1) + (c->p + 1)*(c->p + 5) <= nwork;
-    double *w = work, *binomial = w + d + 1, *N = binomial + d + 1, *room = N + (top + 1) * (c->p + 1);
+    size_t rows = top + 1, row = c->p + 1;
+    //@ ghost fact_product(0, rows, row);
+    //@ ghost fact_product(0, row, c->p + 5);
+    //@ ghost fact_product(rows, row, row);
+    //@ assert rows: 0 <= rows*row <= nwork;
+    //@ assert fits: 2*(d + 1) + rows*row + row*(c->p + 5) <= nwork;
+    double *w = work, *binomial = w + d + 1, *N = binomial + d + 1, *room = N + rows * row;
     const homogeneous zero = {0.0, 0.0, 0.0, 0.0};
     et_basis_ders(N, top, c->u, nu, c->p, span, x, room, nwork - (size_t)(room - work));
     //@ assert curve: et_curve_stored((et_curve *)c) && span < c->n;
@@ -184,9 +190,10 @@ void et_curve_ders_side(et_vec3 *D, size_t d, const et_curve *c, double x, et_si
         loop variant d - k;
     */
     for (size_t k = 0; k <= d; k++) {
-        //@ ghost if (k <= top) fact_product(k + 1, top + 1, c->p + 1);
-        //@ ghost fact_product(0, k, c->p + 1);
-        homogeneous A = k <= top ? contract(N + k * (c->p + 1), c, span - c->p) : zero;
+        //@ ghost if (k <= top) fact_product(k + 1, rows, row);
+        //@ ghost fact_product(0, k, row);
+        //@ assert row: k <= top ==> 0 <= k*row && k*row + c->p < rows*row;
+        homogeneous A = k <= top ? contract(N + k * row, c, span - c->p) : zero;
         w[k] = A.w;
         pascal(binomial, k);
         D[k] = c->weights ? quotient(A, D, w, binomial, k, c->p) : project(A, 0);

@@ -10,9 +10,10 @@ et_status et_curve_copy(et_curve *copy, const et_curve *c)
     if (status != ET_OK) {
         return status;
     }
-    /*@ assert fresh: \separated(t.u + (0 .. t.n + t.p), c, copy, c->u + (0 .. c->n + c->p)) &&
-                         \separated(t.points + (0 .. t.n - 1), c, copy, c->points + (0 .. c->n - 1)) && t.u != c->u && t.points != c->points &&
-                         (c->weights == \null || \separated(t.weights + (0 .. t.n - 1), c, copy, c->weights + (0 .. c->n - 1))); */
+    //@ assert same:  t.n == c->n && t.p == c->p;
+    /*@ assert fresh: \separated(t.u + (0 .. c->n + c->p), c->u + (0 .. c->n + c->p)) &&
+                      \separated(t.points + (0 .. c->n - 1), c->points + (0 .. c->n - 1)) &&
+                      (c->weights == \null || \separated(t.weights + (0 .. c->n - 1), c->weights + (0 .. c->n - 1))); */
     memcpy(t.u, c->u, (c->n + c->p + 1) * sizeof *t.u);
     memcpy(t.points, c->points, c->n * sizeof *t.points);
     if (c->weights) {
@@ -31,7 +32,8 @@ static curve_controls controls(const et_curve *c)
     return (curve_controls){.points = c->points, .weights = c->weights, .step = 1};
 }
 
-/*@ requires net:   \valid(net) && \valid_read(c) && \separated(net, c) && et_curve_ok((et_curve *)c);
+/*@ requires net:   \valid(net) && \valid_read(c) && \separated(net, c) && et_curve_ok((et_curve *)c) &&
+                    \separated(net, c->u + (0 .. c->n + c->p));
     requires room:  c->n + room + c->p < SIZE_MAX;
     assigns  *net;
     ensures  ends:  \result == ET_OK || \result == ET_ENOMEM;
@@ -50,9 +52,9 @@ static et_status load(curve_net *net, const et_curve *c, size_t room)
 
 /* *edited, which has storage, from the net; both are freed if what comes out is no curve. */
 /*@ requires t:      \valid(t) && \valid(edited) && \valid_read(c) && et_curve_ok((et_curve *)c) && \separated(edited, t, c) && t->n >= 1;
-    requires made:   t->n + t->p < SIZE_MAX && et_array((char *)t->u, t->n + t->p + 1, sizeof(double)) &&
-                     et_array((char *)t->points, t->n, sizeof(et_vec3)) && (t->weights == \null <==> c->weights == \null) &&
-                     (t->weights == \null || et_array((char *)t->weights, t->n, sizeof(double)));
+    requires made:   t->n + t->p < SIZE_MAX && et_numbers(t->u, t->n + t->p + 1) &&
+                     et_numbers((double *)t->points, 3 * t->n) && (t->weights == \null <==> c->weights == \null) &&
+                     (t->weights == \null || et_numbers(t->weights, t->n));
     requires net:    \valid_read(net) && curve_net_made(net, net->n) && curve_net_from(net, c->n) && net->n == t->n && net->p == t->p &&
                      net->lines == 1 && (net->rational != 0 <==> c->weights != \null);
     requires own:    \separated(t->u + (0 .. t->n + t->p), net->u + (0 .. net->n + net->p));

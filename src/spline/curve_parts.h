@@ -30,8 +30,8 @@ typedef struct {
 } curve_controls;
 
 /*@ predicate curve_net_made(curve_net *net, integer m) =
-        m + net->p < SIZE_MAX && et_array((char *)net->u, m + net->p + 1, sizeof(double)) && et_array((char *)net->from, m, sizeof(size_t)) &&
-        m*net->lines <= SIZE_MAX && et_array((char *)net->h, m*net->lines, sizeof(curve_point));
+        m + net->p < SIZE_MAX && et_numbers(net->u, m + net->p + 1) && et_array((char *)net->from, m, sizeof(size_t)) &&
+        m*net->lines <= SIZE_MAX && et_numbers((double *)net->h, 4*(m*net->lines));
 
     predicate curve_net_apart(curve_net *net, integer m) =
         \separated(net, net->from + (0 .. m - 1)) && \separated(net->u + (0 .. m + net->p), net->h + (0 .. m*net->lines - 1));
@@ -53,8 +53,8 @@ typedef struct {
         (c->weights == \null || \valid_read(c->weights + (0 .. curve_last(c, n, lines))));
 
     predicate curve_controls_made(curve_controls *c, integer n, integer lines) =
-        1 <= n && 1 <= lines && curve_last(c, n, lines) < SIZE_MAX && et_array((char *)c->points, curve_last(c, n, lines) + 1, sizeof(et_vec3)) &&
-        (c->weights == \null || et_array((char *)c->weights, curve_last(c, n, lines) + 1, sizeof(double)));
+        1 <= n && 1 <= lines && curve_last(c, n, lines) < SIZE_MAX && et_numbers((double *)c->points, 3*(curve_last(c, n, lines) + 1)) &&
+        (c->weights == \null || et_numbers(c->weights, curve_last(c, n, lines) + 1));
 
     logic integer curve_different(double *u, integer nu) = nu <= 1 ? 1 : curve_different(u, nu - 1) + (u[nu - 2] < u[nu - 1] ? 1 : 0);
 */
@@ -91,7 +91,7 @@ et_status curve_net_load(curve_net *net, size_t p, size_t n, size_t room, size_t
 
 /* Knots and control points of what net became; old: those it was loaded from. */
 /*@ requires net:   \valid_read(net) && \valid_read(to) && \valid_read(old) && curve_net_made((curve_net *)net, net->n);
-    requires to:    et_array((char *)u, net->n + net->p + 1, sizeof(double)) && curve_controls_made((curve_controls *)to, net->n, net->lines);
+    requires to:    et_numbers(u, net->n + net->p + 1) && curve_controls_made((curve_controls *)to, net->n, net->lines);
     requires old:   \exists integer m; curve_net_from((curve_net *)net, m) && curve_controls_read((curve_controls *)old, m, net->lines);
     requires kind:  net->rational != 0 ==> to->weights != \null && old->weights != \null;
     requires apart: \separated(u + (0 .. net->n + net->p), net->u + (0 .. net->n + net->p));
