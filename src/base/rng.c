@@ -124,7 +124,7 @@ uint64_t et_rng_tell(const et_rng *rng)
     return rng->draws;
 }
 
-/*@ ensures  sound: rng_sound(rng); */
+/*@ ensures  sound: rng->at <= WORDS; */
 void et_rng_seek(et_rng *rng, uint64_t draws)
 {
     rng->mt[0] = rng->seed == 0 ? 4357 : rng->seed;      /* GSL's convention for the seed 0 */
