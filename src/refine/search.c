@@ -122,7 +122,7 @@ et_status et_search_eval(double *value, et_search *search, const double *x)
 {
     double v = 0.0;
     et_status status;
-    /*@ admit any: search->fn == &search_any_fn; */
+    /*@ assert any: search->fn == &search_any_fn; */
     /*@ calls search_any_fn; */
     status = search->fn(&v, x, search->n, search->context);
     if (status != ET_OK) return status;
@@ -175,32 +175,96 @@ et_status et_search_start(et_search *search, const double *x0, size_t n, const e
     return ET_OK;
 }
 
+/*@ ghost
+  /@ requires valid:    n == 0 || \valid(a + (0 .. n - 1));
+     requires none:     b == \null;
+     assigns  \nothing;
+     ensures  apart:    \forall integer m; \separated(a + (0 .. n - 1), b + (0 .. m - 1)); @/
+  static void fact_null(const double *a, size_t n, const double *b) {}
+*/
 et_status et_search_run(et_search *search, size_t *made, double *history, size_t generations, et_search_step step, et_rng *rng, const et_task *task)
 {
+    /*@ ghost const size_t population = search->options.population; */
+    /*@ ghost
+        if (history && !search->velocity) {
+            fact_null(history, generations, search->velocity);
+            fact_null(history, generations, search->memory);
+            fact_null(history, generations, search->remembered);
+        } */
+    /*@ assert room:    search->evaluations + generations * population <= UINT64_MAX; */
+    /*@ assert own:     history == \null || (\separated(history + (0 .. generations - 1), search->velocity + (0 .. population * search->n - 1))
+                        && \separated(history + (0 .. generations - 1), search->memory + (0 .. population * search->n - 1))
+                        && \separated(history + (0 .. generations - 1), search->remembered + (0 .. population - 1))); */
     *made = 0;
-    /*@ admit any: step == &search_any_step; */
+    /*@ assert arrays:  et_search_arrays(search) && et_search_apart(search); */
+    /*@ assert options: et_search_options_ok(search); */
+    /*@ assert ordered: et_search_ordered(search); */
     /*@ loop invariant range:   0 <= g <= generations && *made == g;
-        loop invariant started: et_search_started(search) && search->generation == \at(search->generation, Pre) + g;
-        loop invariant room:    search->evaluations <= \at(search->evaluations, Pre) + g * search->options.population;
+        loop invariant same:    search->options.population == population && search->n == \at(search->n, Pre);
+        loop invariant started: et_search_started(search);
+        loop invariant count:   search->generation <= \at(search->generation, Pre) + g;
+        loop invariant room:    search->evaluations <= \at(search->evaluations, Pre) + g * population;
         loop invariant best:    \le_double(search->best_value, \at(search->best_value, Pre));
-        loop invariant falling: history != \null ==> \forall integer h; 0 < h < g ==> \le_double(history[h], history[h - 1]);
+        loop invariant falling: history != \null ==> \forall integer h, k; 0 <= k < h < g ==> \le_double(history[h], history[k]);
         loop invariant start:   history != \null ==> \forall integer h; 0 <= h < g ==> \le_double(history[h], \at(search->best_value, Pre));
         loop invariant last:    history != \null && 0 < g ==> \eq_double(history[g - 1], search->best_value);
+        loop invariant least:   history != \null ==> \forall integer h; 0 <= h < g ==> \le_double(search->best_value, history[h]);
         loop assigns   g, search->best_value, search->generation, search->evaluations, *made, history[0 .. generations - 1], *rng,
-                       search->x[0 .. search->options.population * search->n - 1], search->value[0 .. search->options.population - 1],
-                       search->velocity[0 .. search->options.population * search->n - 1],
-                       search->memory[0 .. search->options.population * search->n - 1],
-                       search->remembered[0 .. search->options.population - 1],
-                       search->trial[0 .. (search->options.population + 1) * (search->n + 1) - 1], search->best[0 .. search->n - 1];
+                       search->x[0 .. \at(search->options.population * search->n, Pre) - 1],
+                       search->value[0 .. \at(search->options.population, Pre) - 1],
+                       search->velocity[0 .. \at(search->options.population * search->n, Pre) - 1],
+                       search->memory[0 .. \at(search->options.population * search->n, Pre) - 1],
+                       search->remembered[0 .. \at(search->options.population, Pre) - 1],
+                       search->trial[0 .. \at((search->options.population + 1) * (search->n + 1), Pre) - 1],
+                       search->best[0 .. \at(search->n, Pre) - 1];
         loop variant   generations - g; */
     for (size_t g = 0; g < generations; g++) {
         et_status status;
-        /*@ ghost fact_product(g + 1, generations, search->options.population); */
+        /*@ ghost fact_product(g + 1, generations, population); */
+        /*@ assert next: g * population + population <= generations * population; */
+        /*@ assert room: search->evaluations + search->options.population <= UINT64_MAX; */
+        /*@ ghost const double before = search->best_value; */
+        /*@ assert frame:   history != \null ==> \forall integer h; 0 <= h < g ==>
+                            \separated(history + h, search); */
+        /*@ assert frame:   history != \null ==> \forall integer h; 0 <= h < g ==>
+                            \separated(history + h, search->x + (0 .. search->options.population * search->n - 1)); */
+        /*@ assert frame:   history != \null ==> \forall integer h; 0 <= h < g ==>
+                            \separated(history + h, search->value + (0 .. search->options.population - 1)); */
+        /*@ assert frame:   history != \null ==> \forall integer h; 0 <= h < g ==>
+                            \separated(history + h, search->velocity + (0 .. search->options.population * search->n - 1)); */
+        /*@ assert frame:   history != \null ==> \forall integer h; 0 <= h < g ==>
+                            \separated(history + h, search->memory + (0 .. search->options.population * search->n - 1)); */
+        /*@ assert frame:   history != \null ==> \forall integer h; 0 <= h < g ==>
+                            \separated(history + h, search->remembered + (0 .. search->options.population - 1)); */
+        /*@ assert frame:   history != \null ==> \forall integer h; 0 <= h < g ==>
+                            \separated(history + h, search->trial + (0 .. (search->options.population + 1) * (search->n + 1) - 1)); */
+        /*@ assert frame:   history != \null ==> \forall integer h; 0 <= h < g ==>
+                            \separated(history + h, search->best + (0 .. search->n - 1)); */
+        /*@ assert any: step == &search_any_step; */
         /*@ calls search_any_step; */
         status = step(search, rng);
+        /*@ assert best:    \le_double(search->best_value, before) && \le_double(search->best_value, \at(search->best_value, Pre)); */
+        /*@ assert start:   history != \null ==> \forall integer h; 0 <= h < g ==> \le_double(history[h], \at(search->best_value, Pre)); */
+        /*@ assert falling: history != \null ==> \forall integer h, k; 0 <= k < h < g ==> \le_double(history[h], history[k]); */
+        /*@ assert before:  history != \null ==> \forall integer h; 0 <= h < g ==> \le_double(before, history[h]); */
+        /*@ assert least:   history != \null ==> \forall integer h; 0 <= h < g ==> \le_double(search->best_value, history[h]); */
         if (status != ET_OK) return status;
-        if (history) history[g] = search->best_value;
+        /*@ assert same:    search->options.population == population && search->n == \at(search->n, Pre); */
+        /*@ assert room:    search->evaluations <= \at(search->evaluations, Pre) + g * population + population; */
+        if (history) {
+            history[g] = search->best_value;
+            /*@ assert start:   \forall integer h; 0 <= h <= g ==> \le_double(history[h], \at(search->best_value, Pre)); */
+            /*@ assert below:   \forall integer h, k; 0 <= k < h < g ==> \le_double(history[h], history[k]); */
+            /*@ assert least:   \forall integer h; 0 <= h <= g ==> \le_double(search->best_value, history[h]); */
+            /*@ assert falling: \forall integer h, k; 0 <= k < h <= g ==> \le_double(history[h], history[k]); */
+        }
+        /*@ assert arrays:  et_search_arrays(search) && et_search_apart(search); */
+        /*@ assert options: et_search_options_ok(search); */
+        /*@ assert ordered: et_search_ordered(search); */
         *made = g + 1;
+        /*@ assert arrays:  et_search_arrays(search) && et_search_apart(search); */
+        /*@ assert options: et_search_options_ok(search); */
+        /*@ assert ordered: et_search_ordered(search); */
         status = et_task_step(task, g + 1, generations);
         if (status != ET_OK) return status;
     }

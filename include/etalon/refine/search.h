@@ -94,11 +94,12 @@ typedef struct {
 /* The values of the source's Table 6.1 with the readings of docs/search.md, one coordinate to a gene. */
 /*@ assigns \nothing;
     ensures population: \result.population == 40;
-    ensures box:        \result.spread == 5e-6 && \result.box == 5e-6 && \result.vmax == 5e-6;
+    ensures lengths:    \result.spread == (double)5e-6 && \result.box == (double)5e-6 && \result.vmax == (double)5e-6;
     ensures gene:       \result.group == 1 && \result.by_coordinate == 0;
-    ensures ga:         \result.tournament == 4 && \result.crossover == 0.7 && \result.swap == 0.5 && \result.mutation == 0.01;
-    ensures de:         \result.F == 0.3 && \result.CR == 0.8;
-    ensures pso:        \result.K == 0.729 && \result.c1 == 2.05 && \result.c2 == 2.05 && \result.immediate == 0 && \result.absorb == 0;
+    ensures ga:         \result.tournament == 4 && \result.crossover == (double)0.7 && \result.swap == 0.5 && \result.mutation == (double)0.01;
+    ensures de:         \result.F == (double)0.3 && \result.CR == (double)0.8;
+    ensures pso:        \result.K == (double)0.729 && \result.c1 == (double)2.05 && \result.c2 == (double)2.05;
+    ensures variants:   \result.immediate == 0 && \result.absorb == 0;
 */
 et_search_options et_search_defaults(void);
 
@@ -117,6 +118,7 @@ et_search_options et_search_defaults(void);
     ensures  start:  \result == ET_OK ==> search->generation == 0 && search->evaluations == options->population;
     ensures  best:   \result == ET_OK ==> \forall integer i; 0 <= i < options->population ==> \le_double(search->best_value, search->value[i]);
     ensures  memory: \result == ET_OK ==> (search->velocity == \null <==> velocities == 0);
+    ensures  nulls:  \result == ET_OK && velocities == 0 ==> search->memory == \null && search->remembered == \null;
     ensures  same:   \result != ET_OK ==> *search == \old(*search);
 */
 et_status et_search_start(et_search *search, const double *x0, size_t n, const et_search_options *options, int velocities,
@@ -183,6 +185,7 @@ typedef et_status (*et_search_step)(et_search *search, et_rng *rng);
  * the values of the population hold; a search stepped on from there is not on the path of an unbroken run.
  * Golden: none (the rows of et_ga_step, et_de_step and et_pso_step are runs). */
 /*@ requires search:  et_search_started(search) && et_search_rng(search, rng) && \valid(made) && step != \null;
+    requires nulls:   search->velocity == \null ==> search->memory == \null && search->remembered == \null;
     requires history: history == \null || \valid(history + (0 .. generations - 1));
     requires task:    task == \null || \valid_read(task);
     requires apart:   \separated(made, search, rng) && (task == \null || \separated(task, made, search, rng));
@@ -204,9 +207,9 @@ typedef et_status (*et_search_step)(et_search *search, et_rng *rng);
              search->trial[0 .. (search->options.population + 1) * (search->n + 1) - 1], search->best[0 .. search->n - 1];
     ensures  made:    *made <= generations && (\result == ET_OK ==> *made == generations);
     ensures  best:    \le_double(search->best_value, \old(search->best_value));
-    ensures  falling: history != \null ==> \forall integer g; 0 < g < *made ==> \le_double(history[g], history[g - 1]);
-    ensures  start:   history != \null ==> \forall integer g; 0 <= g < *made ==> \le_double(history[g], \old(search->best_value));
-    ensures  last:    history != \null && \result == ET_OK && generations > 0 ==> history[generations - 1] == search->best_value;
+    ensures  descending: history != \null ==> \forall integer g; 0 < g < *made ==> \le_double(history[g], history[g - 1]);
+    ensures  under:   history != \null ==> \forall integer g; 0 <= g < *made ==> \le_double(history[g], \old(search->best_value));
+    ensures  last:    history != \null && \result == ET_OK && generations > 0 ==> \eq_double(history[generations - 1], search->best_value);
     ensures  started: et_search_started(search);
 */
 et_status et_search_run(et_search *search, size_t *made, double *history, size_t generations, et_search_step step, et_rng *rng, const et_task *task);
