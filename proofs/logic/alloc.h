@@ -16,4 +16,17 @@
 #define free(p) alloc_free(p)
 /*@ assigns \nothing; */
 void alloc_free(void *p);
+#ifndef LOGIC_ALLOC_FRAME_H
+/*@ ghost
+  /@ requires made:  et_array((char *)p, n, sizeof(double));
+     assigns  \nothing;
+     ensures  valid: \valid(p + (0 .. n - 1)); @/
+  static void fact_array(double *p, size_t n) {}
+*/
+#else
+/*@ ghost
+  /@ assigns  \nothing; @/
+  static void fact_array(double *p, size_t n) {}
+*/
+#endif
 #endif

@@ -4,6 +4,7 @@
 #include "etalon/base/status.h"
 #include "etalon/base/vec3.h"
 #include <stddef.h>
+#include <stdint.h>
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -14,8 +15,9 @@ typedef enum { ET_PARAM_UNIFORM = 0, ET_PARAM_CHORD, ET_PARAM_CENTRIPETAL, ET_PA
 /*@ predicate et_params(double *t, integer n) =
         t[0] == 0.0 && t[n-1] == 1.0 && (\forall integer i; 0 <= i < n - 1 ==> t[i] <= t[i+1]);
     predicate et_param_known(integer method) = 0 <= method <= 3;
-    predicate et_points_finite(et_vec3 *D, integer n) =
-        \forall integer i; 0 <= i < n ==> \is_finite(D[i].x) && \is_finite(D[i].y) && \is_finite(D[i].z);
+    predicate et_point_finite(et_vec3 *D) = \is_finite(D->x) && \is_finite(D->y) && \is_finite(D->z);
+    predicate et_line_finite(et_vec3 *D, integer stride, integer i) = et_point_finite(D + i*stride);
+    predicate et_points_finite(et_vec3 *D, integer n) = \forall integer i; 0 <= i < n ==> et_point_finite(D + i);
 */
 
 /* "uniform", "chord", "centripetal", "exponential": the names options and reports use; null past the last. */
@@ -30,11 +32,10 @@ const char *et_param_name(et_param_method method);
  * of all of them.  t is non-decreasing also as rounded, t[0] = 0 and t[n-1] = 1 exactly.  Distances are scaled by a power of two first, so that no
  * finite data overflow or vanish, and data scaled by a power of two have the same chord lengths' bits.  Error of t_i: (2n + 6) u t_i for chord.
  * Returns 1 if the row has no length and got the uniform parameters instead, else 0 (0 too where uniform is asked for).  work: n doubles. */
-/*@ requires size:      2 <= n && 1 <= stride;
+/*@ requires size:      2 <= n && 1 <= stride && (n - 1)*stride < SIZE_MAX;
     requires method:    et_param_known(method);
     requires valid:     \valid(t + (0 .. n - 1)) && \valid(work + (0 .. n - 1)) && \valid_read(D + (0 .. (n - 1)*stride));
-    requires finite:    \forall integer i; 0 <= i < n ==>
-                            \is_finite(D[i*stride].x) && \is_finite(D[i*stride].y) && \is_finite(D[i*stride].z);
+    requires finite:    \forall integer i; 0 <= i < n ==> et_line_finite((et_vec3 *)D, stride, i);
     requires separated: \separated(t + (0 .. n - 1), work + (0 .. n - 1), D + (0 .. (n - 1)*stride));
     assigns t[0 .. n - 1], work[0 .. n - 1];
     ensures params:     et_params(t, n);
@@ -47,7 +48,7 @@ int et_param_row(double *t, size_t n, const et_vec3 *D, size_t stride, et_param_
  * over i.  *flat counts the lines of no length.  Sums are et_real_sum, which is monotone: s and r are non-decreasing from 0 to 1 like their terms.
  * ET_EINVAL (nx < 2, ny < 2, method unknown), ET_ENOMEM. */
 /*@ requires valid:     \valid(s + (0 .. nx - 1)) && \valid(r + (0 .. ny - 1)) && \valid(flat) && \valid_read(D + (0 .. nx*ny - 1));
-    requires finite:    et_points_finite(D, nx*ny);
+    requires finite:    et_points_finite((et_vec3 *)D, nx*ny);
     requires separated: \separated(s + (0 .. nx - 1), r + (0 .. ny - 1), flat, D + (0 .. nx*ny - 1));
     assigns s[0 .. nx - 1], r[0 .. ny - 1], *flat;
     ensures status:     \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;

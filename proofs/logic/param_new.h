@@ -1,0 +1,3 @@
+/* As in alloc.h and param.h. */
+#include "alloc.h"
+#include "param.h"
