@@ -28,6 +28,12 @@ et_som_options et_som_defaults(void)
 
 void et_som_start(et_vec3 *weights, size_t nov, et_rng *rng)
 {
+    /*@ loop invariant place: c <= nov;
+        loop invariant cube:  \forall integer a; 0 <= a < c ==>
+                                  0 <= weights[a].x < 1 && 0 <= weights[a].y < 1 && 0 <= weights[a].z < 1;
+        loop assigns c, weights[0 .. nov - 1], *rng;
+        loop variant nov - c;
+    */
     for (size_t c = 0; c < nov; c++) {
         weights[c].x = et_rng_uniform(rng);
         weights[c].y = et_rng_uniform(rng);
@@ -35,6 +41,34 @@ void et_som_start(et_vec3 *weights, size_t nov, et_rng *rng)
     }
 }
 
+/*@ predicate training_net(training *s) = et_net_ok(s->net.nx, s->net.ny) && s->w.classes == NOV(s->net.nx, s->net.ny)
+        && (s->net.nx - 1)*(s->net.nx - 1) <= SIZE_MAX / 4 && (s->net.ny - 1)*(s->net.ny - 1) <= SIZE_MAX / 4;
+
+    predicate training_tables(training *s) = 1 <= s->limit && 1 <= s->distinct <= s->limit
+        && \valid(s->factor + (0 .. s->limit - 1)) && \valid(s->dist2 + (0 .. s->distinct - 1))
+        && \valid(s->reach[0] + (0 .. s->net.nx - 1)) && \valid(s->reach[1] + (0 .. s->net.nx - 1));
+
+    predicate training_apart(training *s) = \separated(s, s->factor + (0 .. s->limit - 1), s->dist2 + (0 .. s->distinct - 1),
+        s->reach[0] + (0 .. s->net.nx - 1), s->reach[1] + (0 .. s->net.nx - 1));
+
+    predicate training_listed(training *s) = s->dist2[0] == 0 && (\forall integer q; 0 <= q < s->distinct ==> s->dist2[q] < s->limit);
+
+    predicate training_level(training *s, integer k, integer rows) = \forall integer i; 0 <= i < rows ==>
+        1 <= s->reach[k][i] <= s->net.ny && i*i + (s->reach[k][i] - 1)*(s->reach[k][i] - 1) + k < s->limit;
+
+    predicate training_reaches(training *s) = 1 <= s->rows[0] <= s->net.nx && s->rows[1] <= s->net.nx
+        && training_level(s, 0, s->rows[0]) && training_level(s, 1, s->rows[1]);
+*/
+
+/*@ predicate training_space(training *s) =
+        \valid(s->w.x + (0 .. s->w.padded - 1)) && \valid(s->w.y + (0 .. s->w.padded - 1)) && \valid(s->w.z + (0 .. s->w.padded - 1))
+        && \separated(s, s->factor + (0 .. s->limit - 1), s->w.x + (0 .. s->w.padded - 1), s->w.y + (0 .. s->w.padded - 1),
+                         s->w.z + (0 .. s->w.padded - 1)) && s->w.classes <= s->w.padded;
+*/
+
+/*@ requires training: \valid_read(s);
+    assigns  \nothing;
+*/
 static void training_free(training *s)
 {
     winner_free(&s->w);
@@ -45,6 +79,12 @@ static void training_free(training *s)
 }
 
 /* One more than the greatest squared distance that can matter: within the net, and below sigma0^2. */
+/*@ requires net:    et_net_ok(net.nx, net.ny) && \valid(limit);
+    requires radius: \le_double((double)1.0, sigma0);
+    assigns  *limit;
+    ensures  range:  \result == ET_OK || \result == ET_ENOMEM;
+    ensures  fits:   \result == ET_OK ==> 1 <= *limit && (net.nx - 1)*(net.nx - 1) <= SIZE_MAX / 4 && (net.ny - 1)*(net.ny - 1) <= SIZE_MAX / 4;
+*/
 static et_status limit_of(size_t *limit, et_doublenet net, double sigma0)
 {
     const double s2 = sigma0 * sigma0;
@@ -53,6 +93,7 @@ static et_status limit_of(size_t *limit, et_doublenet net, double sigma0)
     if (et_size_mul(&ii, net.nx - 1, net.nx - 1) || et_size_mul(&jj, net.ny - 1, net.ny - 1) || ii > SIZE_MAX / 4 || jj > SIZE_MAX / 4)
         return ET_ENOMEM;
     *limit = ii + jj + 2;
+    //@ assert monotone: \le_double((double)1.0, s2) && (double)*limit <= 0x1p63;
     if (s2 < (double)*limit)
         *limit = (size_t)ceil(s2);
     return ET_OK;
@@ -80,6 +121,16 @@ static et_status list_distances(training *s)
     return ET_OK;
 }
 
+/*@ requires net:      et_net_ok(net.nx, net.ny) && \valid(s);
+    requires options:  \valid_read(options) && et_som_options_ok(*options) && \separated(s, options);
+    assigns  *s;
+    ensures  range:    \result == ET_OK || \result == ET_ENOMEM;
+    ensures  made:     \result == ET_OK ==> training_net(s) && training_tables(s) && training_apart(s) && training_listed(s)
+                           && training_space(s) && winner_arrays(&s->w) && winner_indexed(&s->w, net.nx, net.ny) && s->within == 0;
+    ensures  net:      \result == ET_OK ==> s->net.nx == net.nx && s->net.ny == net.ny;
+    ensures  score:    \result == ET_OK ==> tally_arrays(&s->score) && s->score.count == 0
+                           && \valid(s->score.block + (0 .. options->iterations / TALLY_BLOCK));
+*/
 static et_status training_new(training *s, et_doublenet net, const et_som_options *options)
 {
     const training none = {0};
@@ -113,14 +164,45 @@ static et_status training_new(training *s, et_doublenet net, const et_som_option
 }
 
 /* How far the radius reaches when it takes in squared distances up to `greatest`. */
+/*@ requires training: \valid(s) && training_net(s) && training_tables(s) && training_apart(s);
+    requires within:   greatest < s->limit;
+    assigns  s->reach[0][0 .. s->net.nx - 1], s->reach[1][0 .. s->net.nx - 1], s->rows[0 .. 1];
+    ensures  reaches:  training_reaches(s);
+*/
 static void set_reach(training *s, size_t greatest)
 {
+    /*@ loop invariant place:  k <= 2;
+        loop invariant bottom: k >= 1 ==> 1 <= s->rows[0] <= s->net.nx && training_level(s, 0, s->rows[0]);
+        loop invariant next:   k >= 2 ==> s->rows[1] <= s->net.nx && training_level(s, 1, s->rows[1]);
+        loop assigns k, s->reach[0][0 .. s->net.nx - 1], s->reach[1][0 .. s->net.nx - 1], s->rows[0 .. 1];
+        loop variant 2 - k;
+    */
     for (size_t k = 0; k < 2; k++) {
         size_t i, j = s->net.ny;
 
+        //@ assert level: k == 0 || k == 1;
+        /*@ loop invariant place:  i <= s->net.nx && j <= s->net.ny && (i == 0 || k >= 1 || 1 <= j);
+            loop invariant bottom: k == 0 ==> training_level(s, 0, i);
+            loop invariant next:   k == 1 ==> training_level(s, 1, i);
+            loop invariant before: k == 1 ==> 1 <= s->rows[0] <= s->net.nx && training_level(s, 0, s->rows[0]);
+            loop invariant frame:  s->reach[0] == \at(s->reach[0], Pre) && s->reach[1] == \at(s->reach[1], Pre) && s->net == \at(s->net, Pre)
+                                       && s->limit == \at(s->limit, Pre);
+            loop assigns i, j, s->reach[0][0 .. s->net.nx - 1], s->reach[1][0 .. s->net.nx - 1];
+            loop variant s->net.nx - i;
+        */
         for (i = 0; i < s->net.nx; i++) {
-            while (j > 0 && i * i + (j - 1) * (j - 1) + k > greatest)
+            //@ ghost fact_square(i, s->net.nx - 1);
+            //@ assert rows: i*i <= SIZE_MAX / 4;
+            //@ ghost if (j > 0) fact_square(j - 1, s->net.ny - 1);
+            /*@ loop invariant place:   j <= s->net.ny && (i >= 1 || k >= 1 || 1 <= j);
+                loop invariant columns: j > 0 ==> (j - 1)*(j - 1) <= SIZE_MAX / 4;
+                loop assigns j;
+                loop variant j;
+            */
+            while (j > 0 && i * i + (j - 1) * (j - 1) + k > greatest) {
+                //@ ghost if (j > 1) fact_square(j - 2, s->net.ny - 1);
                 j--;
+            }
             if (j == 0)
                 break;
             s->reach[k][i] = j;
@@ -130,53 +212,105 @@ static void set_reach(training *s, size_t greatest)
 }
 
 /* alpha(t), sigma(t), and from them the table of factors and the reaches. */
+/*@ requires training: \valid(s) && training_net(s) && training_tables(s) && training_apart(s) && training_listed(s);
+    requires reaches:  s->within == 0 || training_reaches(s);
+    assigns  s->factor[0 .. s->limit - 1], s->within, s->reach[0][0 .. s->net.nx - 1], s->reach[1][0 .. s->net.nx - 1], s->rows[0 .. 1];
+    ensures  within:   1 <= s->within <= s->distinct;
+    ensures  reaches:  training_reaches(s);
+*/
 static void decay(training *s, size_t t)
 {
     const double shrink = s->tau > 0 ? et_real_exp(-((double)t / s->tau)) : 1;
     const double alpha = s->alpha0 * shrink, sigma = s->sigma0 * shrink, s2 = sigma * sigma;
     size_t within = 0;
 
+    //@ assert radius: \lt_double((double)0.0, s2);
+    //@ assert first: \lt_double((double)s->dist2[0], s2);
+    /*@ loop invariant place: within <= s->distinct;
+        loop invariant first: \lt_double((double)s->dist2[0], s2);
+        loop assigns within, s->factor[0 .. s->limit - 1];
+        loop variant s->distinct - within;
+    */
     while (within < s->distinct && (double)s->dist2[within] < s2) {
         s->factor[s->dist2[within]] = alpha * et_real_exp(-((double)s->dist2[within] / (2 * s2)));
         within++;
     }
+    //@ assert some: 1 <= within <= s->distinct;
     if (within != s->within)
         set_reach(s, s->dist2[within - 1]); /* 0 is always within */
     s->within = within;
 }
 
 /* Move towards the input the classes of row i on one level with j in from .. to; class j stands at array index at + j. */
+/*@ requires training: \valid(s) && training_net(s) && training_tables(s) && training_reaches(s) && training_space(s);
+    requires winner:   et_net_inside(s->net.nx, s->net.ny, s->winner.i, s->winner.j);
+    requires level:    et_absdiff(level, s->winner.k) <= 1;
+    requires row:      i < s->net.nx && from < s->net.ny && to < s->net.ny;
+    requires range:    from <= to ==> at + to < s->w.classes;
+    requires inside:   winner_weights(&s->w);
+    assigns  s->w.x[0 .. s->w.padded - 1], s->w.y[0 .. s->w.padded - 1], s->w.z[0 .. s->w.padded - 1];
+    ensures  inside:   winner_weights(&s->w);
+*/
 static void pull(training *s, size_t i, size_t level, size_t from, size_t to, size_t at)
 {
     const size_t row = s->winner.i, column = s->winner.j, away = i < row ? row - i : i - row;
+    //@ ghost fact_square(away, s->net.nx - 1);
     const size_t k = level < s->winner.k ? s->winner.k - level : level - s->winner.k, reach = away < s->rows[k] ? s->reach[k][away] : 0;
     const double px = s->input.x, py = s->input.y, pz = s->input.z, *factor = s->factor + away * away + k;
     double *restrict x = s->w.x + at, *restrict y = s->w.y + at, *restrict z = s->w.z + at;
 
     if (reach == 0)
         return;
+    //@ assert corner: reach <= s->net.ny && away*away + (reach - 1)*(reach - 1) + k < s->limit;
+    //@ ghost fact_product(2, s->net.nx, s->net.ny);
     if (column + 1 > from + reach)
         from = column + 1 - reach;
     if (column + reach - 1 < to)
         to = column + reach - 1;
+    /*@ loop invariant place:  from <= j && (from <= to ==> j <= to + 1);
+        loop invariant inside: winner_weights(&s->w);
+        loop assigns j, x[0 .. to], y[0 .. to], z[0 .. to];
+        loop variant to + 1 - j;
+    */
     for (size_t j = from; j <= to; j++) {
         const size_t across = j < column ? column - j : j - column;
+        //@ assert near: across <= reach - 1;
+        //@ ghost fact_square(across, reach - 1);
         const double f = factor[across * across];
 
         x[j] += f * (px - x[j]);
         y[j] += f * (py - y[j]);
         z[j] += f * (pz - z[j]);
+        //@ assert convex: winner_class(x[j], y[j], z[j]);
     }
 }
 
 /* Every class within the radius, but none of the opposite view's interior (K = 2). */
+/*@ requires training: \valid(s) && training_net(s) && training_tables(s) && training_reaches(s) && training_space(s);
+    requires winner:   et_index_ok(s->net.nx, s->net.ny, s->winner.i, s->winner.j, s->winner.k);
+    requires inside:   winner_weights(&s->w);
+    assigns  s->w.x[0 .. s->w.padded - 1], s->w.y[0 .. s->w.padded - 1], s->w.z[0 .. s->w.padded - 1];
+    ensures  inside:   winner_weights(&s->w);
+*/
 static void pull_all(training *s)
 {
     const size_t nx = s->net.nx, ny = s->net.ny, row = s->winner.i, column = s->winner.j, reach = s->rows[0]; /* rows[1] <= rows[0] */
     const size_t first = row + 1 > reach ? row + 1 - reach : 0, last = row + reach - 1 < nx - 1 ? row + reach - 1 : nx - 1;
     const size_t widest = s->reach[0][0];
 
+    //@ ghost fact_product(2, nx, ny);
+    //@ ghost fact_product(2, ny, nx);
+    //@ ghost fact_product(0, nx - 2, ny - 2);
+    //@ ghost if (ny > 2) fact_product(1, ny - 2, nx - 2);
+    /*@ loop invariant place:  first <= i <= last + 1;
+        loop invariant inside: winner_weights(&s->w);
+        loop assigns i, s->w.x[0 .. s->w.padded - 1], s->w.y[0 .. s->w.padded - 1], s->w.z[0 .. s->w.padded - 1];
+        loop variant last + 1 - i;
+    */
     for (size_t i = first; i <= last; i++) {
+        //@ ghost fact_product(i + 1, nx, ny);
+        //@ ghost if (i > 0) fact_product(0, i - 1, ny - 2);
+        //@ ghost if (0 < i && i < nx - 1) fact_product(i, nx - 2, ny - 2);
         if (i == 0 || i == nx - 1) {
             pull(s, i, 1, 0, ny - 1, i * ny);
             continue;
@@ -192,8 +326,18 @@ static void pull_all(training *s)
     }
 }
 
+/*@ requires space:   \valid_read(w) && \valid(weights + (0 .. w->classes - 1)) && \valid_read(w->x + (0 .. w->classes - 1))
+                      && \valid_read(w->y + (0 .. w->classes - 1)) && \valid_read(w->z + (0 .. w->classes - 1));
+    requires apart:   \separated(weights + (0 .. w->classes - 1), w, w->x + (0 .. w->classes - 1))
+                      && \separated(weights + (0 .. w->classes - 1), w->y + (0 .. w->classes - 1), w->z + (0 .. w->classes - 1));
+    assigns  weights[0 .. w->classes - 1];
+*/
 static void unload(et_vec3 *weights, const winner_space *w)
 {
+    /*@ loop invariant place: c <= w->classes;
+        loop assigns c, weights[0 .. w->classes - 1];
+        loop variant w->classes - c;
+    */
     for (size_t c = 0; c < w->classes; c++) {
         weights[c].x = w->x[c];
         weights[c].y = w->y[c];
@@ -201,6 +345,11 @@ static void unload(et_vec3 *weights, const winner_space *w)
     }
 }
 
+/*@ requires options: \valid_read(o);
+    assigns  \nothing;
+    ensures  truth:   \result == 0 || \result == 1;
+    ensures  valid:   \result == 1 <==> et_som_options_ok(*o);
+*/
 static int valid_options(const et_som_options *o)
 {
     return o->iterations > 0 && o->alpha0 > 0 && o->alpha0 <= 1 && o->sigma0 >= 0 && isfinite(o->sigma0);
@@ -219,7 +368,27 @@ et_status et_som_train(et_vec3 *weights, size_t nov, et_som_quality *quality, et
     status = training_new(&s, net, options);
     if (status)
         return status;
+    /*@ assert distinct: \separated(s.w.x + (0 .. s.w.padded - 1), s.w.y + (0 .. s.w.padded - 1), s.w.z + (0 .. s.w.padded - 1),
+                                    s.w.d + (0 .. s.w.padded - 1), s.w.index + (0 .. s.w.classes - 1), s.factor + (0 .. s.limit - 1),
+                                    s.dist2 + (0 .. s.distinct - 1), s.reach[0] + (0 .. s.net.nx - 1), s.reach[1] + (0 .. s.net.nx - 1),
+                                    s.score.error + (0 .. TALLY_BLOCK - 1), s.score.block + (0 .. options->iterations / TALLY_BLOCK), &s); */
+    /*@ assert fresh: \separated(weights + (0 .. nov - 1), s.w.x + (0 .. s.w.padded - 1), s.w.y + (0 .. s.w.padded - 1),
+                                    s.w.z + (0 .. s.w.padded - 1), s.w.d + (0 .. s.w.padded - 1), s.w.index + (0 .. s.w.classes - 1),
+                                    s.factor + (0 .. s.limit - 1), s.dist2 + (0 .. s.distinct - 1), s.reach[0] + (0 .. s.net.nx - 1),
+                                    s.reach[1] + (0 .. s.net.nx - 1), s.score.error + (0 .. TALLY_BLOCK - 1),
+                                    s.score.block + (0 .. options->iterations / TALLY_BLOCK)); */
+    //@ assert memory: options->iterations < SIZE_MAX;
     winner_load(&s.w, weights);
+    /*@ loop invariant place:   1 <= t <= options->iterations + 1 && (t == 1 ==> status == ET_OK);
+        loop invariant score:   tally_arrays(&s.score) && s.score.count == t - 1;
+        loop invariant weights: winner_weights(&s.w);
+        loop invariant reaches: s.within == 0 || training_reaches(&s);
+        loop assigns t, status, *rng, s.input, s.winner, s.within, s.rows[0 .. 1], s.w.least[0 .. 15], s.score.least, s.score.greatest,
+                     s.score.apart, s.score.count, s.w.x[0 .. s.w.padded - 1], s.w.y[0 .. s.w.padded - 1], s.w.z[0 .. s.w.padded - 1],
+                     s.w.d[0 .. s.w.padded - 1], s.factor[0 .. s.limit - 1], s.reach[0][0 .. s.net.nx - 1], s.reach[1][0 .. s.net.nx - 1],
+                     s.score.error[0 .. TALLY_BLOCK - 1], s.score.block[0 .. options->iterations / TALLY_BLOCK];
+        loop variant options->iterations + 1 - t;
+    */
     for (size_t t = 1; t <= options->iterations && status == ET_OK; t++) {
         s.input = cloud[et_rng_index(rng, n)];
         const winner_pair pair = winner_find(&s.w, s.input);

@@ -19,7 +19,8 @@ extern "C" {
     ensures status:     \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
     ensures invalid:    \result == ET_EINVAL <==> !(et_net_ok(net.nx, net.ny) && nov == NOV(net.nx, net.ny) && n >= 1
                           && et_som_bounded(weights, nov) && et_som_bounded(cloud, n));
-    ensures done:       \result == ET_OK ==> et_som_quality_ok(*quality) && quality->steps == n;
+    ensures done:       \result == ET_OK ==> et_som_quality_ok(*quality);
+    ensures steps:      \result == ET_OK ==> quality->steps == n;
     ensures unchanged:  \result != ET_OK ==> *quality == \old(*quality);
 */
 et_status et_quality_of(et_som_quality *quality, const et_vec3 *weights, size_t nov, et_doublenet net, const et_vec3 *cloud, size_t n);

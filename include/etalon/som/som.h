@@ -81,11 +81,12 @@ void et_som_start(et_vec3 *weights, size_t nov, et_rng *rng);
     requires task:      task == \null || \valid_read(task);
     requires rng:       \valid(rng);
     requires separated: \separated(weights + (0 .. nov - 1), quality, cloud + (0 .. n - 1), options, rng);
-    assigns weights[0 .. nov - 1], *quality, *rng,
-            ((char *)task->context)[0 .. \block_length((char *)task->context) - 1];
+    assigns weights[0 .. nov - 1], *quality, *rng;
+    ensures status:     task == \null ==> \result == ET_OK || \result == ET_EINVAL || \result == ET_ENOMEM;
     ensures invalid:    !(et_net_ok(net.nx, net.ny) && nov == NOV(net.nx, net.ny) && n >= 1 && \old(et_som_options_ok(*options))
                           && \old(et_som_bounded(weights, nov)) && \old(et_som_bounded(cloud, n))) ==> \result == ET_EINVAL;
-    ensures done:       \result == ET_OK ==> et_som_quality_ok(*quality) && quality->steps == options->iterations;
+    ensures done:       \result == ET_OK ==> et_som_quality_ok(*quality);
+    ensures steps:      \result == ET_OK ==> quality->steps == options->iterations;
     ensures finite:     \result == ET_OK ==> et_som_bounded(weights, nov);
     ensures unchanged:  (\result == ET_EINVAL || \result == ET_ENOMEM) && task == \null ==>
                           (\forall integer c; 0 <= c < nov ==> weights[c] == \old(weights[c])) && *quality == \old(*quality);

@@ -1,0 +1,2 @@
+/* As in winner.h. */
+#include "winner.h"
