@@ -103,7 +103,7 @@ et_status et_surface_new(et_surface *s, size_t p, size_t q, size_t nu, size_t nv
     assigns  *copy;
     ensures  sizes: \result == ET_OK ==> copy->p == s->p && copy->q == s->q && copy->nu == s->nu && copy->nv == s->nv;
     ensures  own:   \result == ET_OK ==> copy->u != s->u && copy->v != s->v && copy->points != s->points;
-    ensures  made:  \result == ET_OK ==> et_numbers(copy->u, s->nu + s->p + 1) &&
+    ensures  whole: \result == ET_OK ==> et_numbers(copy->u, s->nu + s->p + 1) &&
                         et_numbers(copy->v, s->nv + s->q + 1) && et_numbers((double *)copy->points, 3 * (s->nu * s->nv));
     ensures  kind:  \result == ET_OK ==> (copy->weights == \null <==> s->weights == \null);
     ensures  room:  \result == ET_OK && s->weights != \null ==> et_numbers(copy->weights, s->nu * s->nv);
