@@ -9,10 +9,20 @@
 
 /* ---- what is asked ---- */
 
+/*@ requires size:  1 <= n && 1 <= nu;
+    requires valid: \valid_read(u + (0 .. nu - 1)) && (t == \null || \valid_read(t + (0 .. n - 1)));
+    assigns  \nothing;
+    ensures  truth: \result == 0 || \result == 1;
+    ensures  given: \result == 1 ==> t != \null;
+*/
 static int parameters_valid(const double *t, size_t n, const double *u, size_t nu)
 {
     if (t == NULL || t[0] != u[0] || t[n - 1] != u[nu - 1])
         return 0;
+    /*@ loop invariant place: 1 <= i <= n;
+        loop assigns i;
+        loop variant n - i;
+    */
     for (size_t i = 1; i < n; i++)
         if (!(t[i - 1] <= t[i]))
             return 0;
@@ -28,8 +38,16 @@ static int view_valid(const et_fit *fit, size_t w, const et_fit_options *o)
            parameters_valid(fit->s[w], fit->data.nx, s->u, s->nu + s->p + 1) && parameters_valid(fit->r[w], fit->data.ny, s->v, s->nv + s->q + 1);
 }
 
+/*@ requires valid: \valid_read(a + (0 .. n - 1)) && \valid_read(b + (0 .. n - 1));
+    assigns  \nothing;
+    ensures  truth: \result == 0 || \result == 1;
+*/
 static int same(const double *a, const double *b, size_t n)
 {
+    /*@ loop invariant place: i <= n;
+        loop assigns i;
+        loop variant n - i;
+    */
     for (size_t i = 0; i < n; i++)
         if (a[i] != b[i])
             return 0;

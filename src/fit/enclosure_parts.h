@@ -72,12 +72,21 @@ void enclosure_column(et_dd *x, double *radius, enclosure_system *s, const et_dd
 /* ---- the approaches (enclosure_views.c) ---- */
 
 /* The exact solution of the job's approach; to be freed.  On failure nothing is held and the message is set. */
+/*@ requires valid: \valid(x) && \valid_read(job) && (job->message == \null || \valid(job->message));
+    assigns  *x, job->message->text[0 .. ET_MESSAGE_SIZE - 1];
+*/
 et_status enclosure_solve(enclosure_solution *x, const enclosure_job *job);
 /* Free what x holds. */
+/*@ requires valid: \valid(x);
+    assigns  *x;
+*/
 void enclosure_solution_free(enclosure_solution *x);
 
 /* ---- measures (enclosure_measure.c) ---- */
 
 /* The normwise backward error of the fit's control points, in eps.  ET_ENOMEM. */
+/*@ requires valid: \valid(backward) && \valid_read(job) && \valid_read(x);
+    assigns  *backward;
+*/
 et_status enclosure_backward(double *backward, const enclosure_job *job, const enclosure_solution *x);
 #endif

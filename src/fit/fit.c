@@ -20,24 +20,55 @@ et_fit_options et_fit_defaults(void)
 /* ---- data ---- */
 
 /* The grid D[i*ny + j] of one view.  The bottom's classes are numbered in just that order. */
+/*@ requires net:    et_net_ok(net.nx, net.ny) && view <= 1;
+    requires valid:  \valid(D + (0 .. net.nx * net.ny - 1)) && \valid_read(data + (0 .. NOV(net.nx, net.ny) - 1));
+    assigns  D[0 .. net.nx * net.ny - 1];
+*/
 static void view_grid(et_vec3 *D, const et_vec3 *data, et_doublenet net, size_t view)
 {
+    /*@ loop invariant place:  i <= net.nx;
+        loop assigns i, D[0 .. net.nx * net.ny - 1];
+        loop variant net.nx - i;
+    */
     for (size_t i = 0; i < net.nx; i++)
-        for (size_t j = 0; j < net.ny; j++)
+        /*@ loop invariant place:  j <= net.ny;
+            loop assigns j, D[0 .. net.nx * net.ny - 1];
+            loop variant net.ny - j;
+        */
+        for (size_t j = 0; j < net.ny; j++) {
+            //@ ghost fact_product(i + 1, net.nx, net.ny);
+            //@ assert inside: 0 <= i * net.ny && i * net.ny + j < net.nx * net.ny;
             D[i * net.ny + j] = data[et_doublenet_class(net, view, i, j) - 1];
+        }
 }
 
 /* ---- parameters ---- */
 
+/*@ requires fit:    \valid(fit);
+    assigns  *fit;
+    ensures  status: \result == ET_OK || \result == ET_ENOMEM;
+    ensures  bottom: \result == ET_OK ==> et_numbers(fit->s[0], net.nx) && et_numbers(fit->r[0], net.ny);
+    ensures  top:    \result == ET_OK ==> et_numbers(fit->s[1], net.nx) && et_numbers(fit->r[1], net.ny);
+    ensures  flat:   fit->flat == 0;
+*/
 static et_status allocate_parameters(et_fit *fit, et_doublenet net)
 {
     memset(fit, 0, sizeof *fit);
     fit->data = net;
+    /*@ loop invariant place:  w <= 2;
+        loop invariant flat:   fit->flat == 0;
+        loop invariant bottom: 1 <= w ==> et_numbers(fit->s[0], net.nx) && et_numbers(fit->r[0], net.ny);
+        loop invariant top:    2 <= w ==> et_numbers(fit->s[1], net.nx) && et_numbers(fit->r[1], net.ny);
+        loop assigns w, fit->s[0 .. 1], fit->r[0 .. 1];
+        loop variant 2 - w;
+    */
     for (size_t w = 0; w < 2; w++) {
         fit->s[w] = et_size_array(net.nx, sizeof(double));
         fit->r[w] = et_size_array(net.ny, sizeof(double));
         if (fit->s[w] == NULL || fit->r[w] == NULL)
             return ET_ENOMEM;
+        //@ ghost fact_array(fit->s[w], net.nx);
+        //@ ghost fact_array(fit->r[w], net.ny);
     }
     return ET_OK;
 }
@@ -76,6 +107,10 @@ et_status et_fit_parameters(et_fit *fit, const et_vec3 *data, size_t nov, et_dou
 void et_fit_free(et_fit *fit)
 {
     et_shell_free(&fit->shell);
+    /*@ loop invariant place: w <= 2;
+        loop assigns w;
+        loop variant 2 - w;
+    */
     for (size_t w = 0; w < 2; w++) {
         free(fit->s[w]);
         free(fit->r[w]);
@@ -110,12 +145,32 @@ static et_status run_separate(et_fit *fit, const job *k, et_message *message)
 }
 
 /* Border control points of equal class become their mean (Eq. 5.7); corners, where fixed, the data's. */
+/*@ requires valid: \valid_read(fit) && \valid_read(k) && \valid_read(k->options);
+    requires nets:  et_net_ok(k->options->control.nx, k->options->control.ny) && et_net_ok(fit->data.nx, fit->data.ny);
+    requires views: \valid(fit->shell.view[0].points + (0 .. k->options->control.nx * k->options->control.ny - 1)) &&
+                    \valid(fit->shell.view[1].points + (0 .. k->options->control.nx * k->options->control.ny - 1));
+    requires grid:  \valid_read(k->D[0] + (0 .. fit->data.nx * fit->data.ny - 1));
+    requires apart: \separated(fit->shell.view[0].points + (0 .. k->options->control.nx * k->options->control.ny - 1), fit, k, k->options) &&
+                    \separated(fit->shell.view[1].points + (0 .. k->options->control.nx * k->options->control.ny - 1), fit, k, k->options);
+    assigns  fit->shell.view[0].points[0 .. k->options->control.nx * k->options->control.ny - 1],
+             fit->shell.view[1].points[0 .. k->options->control.nx * k->options->control.ny - 1];
+*/
 static void close_border(et_fit *fit, const job *k)
 {
     const et_doublenet c = k->options->control;
 
+    /*@ loop invariant place: i <= c.nx;
+        loop assigns i, fit->shell.view[0].points[0 .. c.nx * c.ny - 1], fit->shell.view[1].points[0 .. c.nx * c.ny - 1];
+        loop variant c.nx - i;
+    */
     for (size_t i = 0; i < c.nx; i++)
+        /*@ loop invariant place: j <= c.ny;
+            loop assigns j, fit->shell.view[0].points[0 .. c.nx * c.ny - 1], fit->shell.view[1].points[0 .. c.nx * c.ny - 1];
+            loop variant c.ny - j;
+        */
         for (size_t j = 0; j < c.ny; j++) {
+            //@ ghost fact_product(i + 1, c.nx, c.ny);
+            //@ assert inside: 0 <= i * c.ny && i * c.ny + j < c.nx * c.ny;
             et_vec3 *a = &fit->shell.view[ET_BOTTOM].points[i * c.ny + j], *b = &fit->shell.view[ET_TOP].points[i * c.ny + j];
             if (k->fixed && fit_is_corner(c, i, j))
                 *a = *b = fit_corner(k->D[0], fit->data, i != 0, j != 0);
@@ -188,6 +243,16 @@ static et_status make(et_fit *fit, const et_vec3 *data, const et_fit_options *o,
     return status;
 }
 
+/*@ requires valid:    \valid_read(o) && (message == \null || \valid(message));
+    requires apart:    \separated(o, message);
+    assigns  message->text[0 .. ET_MESSAGE_SIZE - 1];
+    ensures  status:   \result == ET_OK || \result == ET_EINVAL;
+    ensures  options:  \result == ET_OK ==> et_fit_known(o->approach) && et_param_known(o->method) && et_knotrule_known(o->knots) &&
+                           et_linalg_known(o->algebra) && et_net_ok(o->control.nx, o->control.ny);
+    ensures  control:  \result == ET_OK ==> o->control.nx <= n.nx && o->control.ny <= n.ny;
+    ensures  degrees:  \result == ET_OK ==> 1 <= o->p < o->control.nx && 1 <= o->q < o->control.ny;
+    ensures  averages: \result == ET_OK && o->knots == ET_KNOTRULE_AVERAGING ==> o->control == n;
+*/
 static et_status check_options(et_doublenet n, const et_fit_options *o, et_message *message)
 {
     const et_doublenet c = o->control;

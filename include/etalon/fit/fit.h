@@ -50,6 +50,7 @@ typedef struct { double nov, non, greatest; double corner; } et_fit_error;   /* 
 /* "conventional", "improved", "joint"; null past the last. */
 /*@ assigns \result \from approach;
     ensures known:   et_fit_known(approach) ==> valid_read_string(\result);
+    ensures named:   et_fit_known(approach) ==> \result != \null;
     ensures unknown: !et_fit_known(approach) ==> \result == \null;
 */
 const char *et_fit_name(et_fit_approach approach);

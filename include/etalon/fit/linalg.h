@@ -16,6 +16,7 @@ typedef enum { ET_LINALG_QR = 0, ET_LINALG_CHOLESKY, ET_LINALG_SVD } et_linalg_m
 /* "qr", "cholesky", "svd"; null past the last. */
 /*@ assigns \result \from method;
     ensures known:   et_linalg_known(method) ==> valid_read_string(\result);
+    ensures named:   et_linalg_known(method) ==> \result != \null;
     ensures unknown: !et_linalg_known(method) ==> \result == \null;
 */
 const char *et_linalg_name(et_linalg_method method);

@@ -1,0 +1,3 @@
+/* As in alloc.h and fit.h. */
+#include "alloc.h"
+#include "fit.h"
