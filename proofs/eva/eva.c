@@ -1,4 +1,6 @@
 #include "eva.h"
+#include "etalon/base/rng.h"
+#include "lapacke.h"
 
 double any(void) { return Frama_C_double_interval(-0x1.fffffffffffffp1023, 0x1.fffffffffffffp1023); }
 
@@ -81,6 +83,40 @@ double eva_sqrt(double x)
 
 double fmax(double x, double y) { return x < y || x != x ? y : x; }
 double fmin(double x, double y) { return y < x || x != x ? y : x; }
+
+/* The generator, of which WP proves its own: any of the numbers it promises. */
+struct et_rng { int unused; };
+
+et_status et_rng_new(et_rng **rng, uint64_t seed)
+{
+    et_rng *made = malloc(sizeof *made);
+
+    if (made == NULL)
+        return ET_ENOMEM;
+    *rng = made;
+    return ET_OK;
+}
+
+void et_rng_free(et_rng *rng) { free(rng); }
+double et_rng_uniform(et_rng *rng) { return Frama_C_double_interval(0, 0x1.fffffffep-1); }
+size_t et_rng_index(et_rng *rng, size_t n) { return Frama_C_size_t_interval(0, n - 1); }
+
+enum { WORK = 100, INDICES = 30 };
+
+lapack_int LAPACKE_dgelsd_work(int order, lapack_int m, lapack_int n, lapack_int nrhs, double *a, lapack_int lda, double *b, lapack_int ldb, double *s,
+                               double rcond, lapack_int *rank, double *work, lapack_int lwork, lapack_int *iwork)
+{
+    if (lwork == -1) {
+        *work = WORK;
+        *iwork = INDICES;
+        return 0;
+    }
+    for (lapack_int i = 0; i < lwork; i++)
+        work[i] = any();
+    for (lapack_int i = 0; i < INDICES; i++)
+        iwork[i] = 0;
+    return gelsd_numbers(m, n, nrhs, a, lda, b, ldb, s, rank);
+}
 
 /* The slow phase of the elementary functions, MPFR's: any number. */
 double real_mpfr_exp(double x) { return any(); }

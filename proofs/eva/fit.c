@@ -2,7 +2,7 @@
 #include "etalon/fit/enclosure.h"
 #include "etalon/fit/fit.h"
 
-enum { NX = 5, NY = 6, NOV = 2 * NX * NY - 2 * (NX + NY) + 4 };
+enum { NX = 4, NY = 5, NOV = 2 * NX * NY - 2 * (NX + NY) + 4 };
 
 static et_fit_options choose(et_fit_approach approach, et_linalg_method algebra)
 {
@@ -12,7 +12,7 @@ static et_fit_options choose(et_fit_approach approach, et_linalg_method algebra)
     o.algebra = algebra;
     o.p = 2;
     o.q = 3;
-    o.control = (et_doublenet){4, 5};
+    o.control = (et_doublenet){3, 4};
     return o;
 }
 

@@ -27,12 +27,13 @@ lapack_int LAPACKE_dpocon(int order, char uplo, lapack_int n, const double *a, l
     ensures  status: \result <= 0; */
 lapack_int LAPACKE_dpotrs(int order, char uplo, lapack_int n, lapack_int nrhs, const double *a, lapack_int lda, double *b, lapack_int ldb);
 
-/*@ requires a: \valid(a + (0 .. lda * n - 1)) && \valid(b + (0 .. ldb * nrhs - 1)) && \valid(s + (0 .. (m < n ? m : n) - 1));
-    requires w: \valid(rank) && \valid(work) && \valid(iwork) && (lwork == -1 || \valid(work + (0 .. lwork - 1)));
-    assigns  a[0 .. lda * n - 1], b[0 .. ldb * nrhs - 1], s[0 .. (m < n ? m : n) - 1], *rank, *work, *iwork, \result \from a[0 .. lda * n - 1],
-             b[0 .. ldb * nrhs - 1], rcond;
-    ensures  rank:  0 <= *rank <= (m < n ? m : n);
-    ensures  query: 1.0 <= *work <= 100000.0 && 1 <= *iwork <= 100000; */
+/* Its numbers; eva.c has the query for room, lwork = -1, beside them. */
+/*@ requires a: \valid(a + (0 .. lda * n - 1)) && \valid(b + (0 .. ldb * nrhs - 1)) && \valid(s + (0 .. (m < n ? m : n) - 1)) && \valid(rank);
+    assigns  a[0 .. lda * n - 1], b[0 .. ldb * nrhs - 1], s[0 .. (m < n ? m : n) - 1], *rank, \result \from a[0 .. lda * n - 1],
+             b[0 .. ldb * nrhs - 1];
+    ensures  rank:  0 <= *rank <= (m < n ? m : n); */
+lapack_int gelsd_numbers(lapack_int m, lapack_int n, lapack_int nrhs, double *a, lapack_int lda, double *b, lapack_int ldb, double *s, lapack_int *rank);
+
 lapack_int LAPACKE_dgelsd_work(int order, lapack_int m, lapack_int n, lapack_int nrhs, double *a, lapack_int lda, double *b, lapack_int ldb, double *s,
                                double rcond, lapack_int *rank, double *work, lapack_int lwork, lapack_int *iwork);
 

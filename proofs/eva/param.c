@@ -8,6 +8,8 @@ static void parameters(et_param_method method)
     size_t flat;
 
     fill(&D[0].x, 36);
+    fill(s, 4);
+    fill(t, 4);
     et_param_row(t, 4, D, 3, method, work);
     et_param_grid(s, 4, r, 3, &flat, D, method);
     et_param_standardise(s, t, 4);

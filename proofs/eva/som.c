@@ -9,7 +9,7 @@ static et_status step(void *context, size_t done, size_t total)
     return *(int *)context ? ET_ESTOPPED : ET_OK;
 }
 
-void eva_som(void)    /* eva: -eva-min-loop-unroll 700 */
+void eva_som(void)    /* eva: -eva-slevel 100 -eva-slevel-merge-after-loop winner_bounded */
 {
     et_rng *rng;
     et_vec3 weights[NOV], cloud[5];
@@ -28,7 +28,7 @@ void eva_som(void)    /* eva: -eva-min-loop-unroll 700 */
     et_rng_free(rng);
 }
 
-void eva_quality(void)
+void eva_quality(void)    /* eva: -eva-slevel 100 -eva-slevel-merge-after-loop winner_bounded */
 {
     et_vec3 weights[NOV], cloud[5];
     et_som_quality quality;

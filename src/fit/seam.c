@@ -82,9 +82,11 @@ et_status et_seam_gap(et_seam *gap, const et_shell *shell, size_t samples)
             visit(&found, shell, s[i], 1, work, nwork);
         }
         *gap = found;
+    } else {
+        status = ET_ENOMEM;
     }
     free(s);
     free(r);
     free(work);
-    return work == NULL ? ET_ENOMEM : ET_OK;
+    return status;
 }
