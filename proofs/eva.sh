@@ -7,9 +7,13 @@
 set -u
 LC_ALL=C
 export LC_ALL
-accept=
+accept= analyse=
 if [ "${1-}" = --accept ]; then
     accept=yes
+    shift
+fi
+if [ "${1-}" = --analyse ]; then    # for this script itself: one entry point
+    analyse=yes
     shift
 fi
 [ $# -gt 0 ] || { echo 'usage: eva.sh [--accept] BUILD [ENTRY...]' >&2; exit 2; }
@@ -41,20 +45,26 @@ parse() {
         $(for room in $rooms; do ls src/"$room"/*.c; done | grep -v 'mpfr\|/rng\.c') "$OLDPWD"/proofs/eva/*.c) > "$build/parse.log" 2>&1 < /dev/null
 }
 
-# States are kept apart, also after a function has returned, and each allocation is one of its own; an entry point may ask for more: `/* eva: OPTIONS */`.
+# States are kept apart, also after a function has returned, but not after a loop, save where the indices that it found depend on one another; each allocation
+# is one of its own; an entry point may ask for more: `/* eva: OPTIONS */`.
 analyse() {
     options=$(sed -n "s|^void $1(void).*/\* eva: \(.*\) \*/.*|\1|p" proofs/eva/*.c)
     # shellcheck disable=SC2086
-    nice timeout 120 frama-c -load "$build/all.sav" -main "$1" -eva -eva-slevel 2000 -eva-interprocedural-history -eva-split-return full \
-        -eva-alloc-builtin fresh -warn-special-float none $options > "$build/$1.log" 2>&1 < /dev/null
+    nice timeout 600 frama-c -load "$build/all.sav" -main "$1" -eva -eva-slevel 400 \
+        -eva-slevel-merge-after-loop @all,-et_knots_span,-et_knots_span_side,-lines_new -eva-interprocedural-history -eva-split-return full \
+        -eva-alloc-builtin fresh -eva-no-alloc-returns-null -warn-special-float none $options > "$build/$1.log" 2>&1 < /dev/null
 }
 
 # "entry functions statements alarms" from Eva's summary.
 summary() {
-    awk -v entry="$1" '/functions analyzed/ { f = $1 } /statements reached/ { s = $4 } /alarms? generated/ { a = $1 } /Preconditions/ { a += $4 + $6 }
+    awk -v entry="$1" '/functions analyzed/ { f = $1 } /statements reached/ { s = $4 } /alarms? generated/ { a = $1 } /Preconditions|Assertions/ { a += $4 + $6 }
         END { if (s == "") exit 1; printf "%s\t%d\t%d\t%d\n", entry, f, s, a }' "$build/$1.log"
 }
 
+if [ -n "$analyse" ]; then
+    analyse "$1"
+    exit 0
+fi
 key=$( { cat proofs/eva.sh proofs/eva/*; for room in $rooms; do cat include/etalon/"$room"/*.h src/"$room"/*; done; } | sha256sum | cut -d ' ' -f 1)
 if [ "$(cat "$build/key" 2> /dev/null)" != "$key" ]; then
     rm -f "$build"/*.log "$build/key"
@@ -66,7 +76,9 @@ passed=0 failed=0
 table=$(mktemp) || exit 2
 trap 'rm -f "$table"' EXIT
 for entry; do
-    summary "$entry" > /dev/null 2>&1 || analyse "$entry"
+    summary "$entry" > /dev/null 2>&1 || echo "$entry"
+done | xargs -r -n 1 -P 2 sh proofs/eva.sh --analyse "$build"
+for entry; do
     row=$(summary "$entry")
     if [ -z "$row" ]; then
         tail -n 3 "$build/$entry.log"

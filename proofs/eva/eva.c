@@ -10,11 +10,26 @@ void fill(double *x, size_t n)
         x[i] = any();
 }
 
-/* As malloc, which may fail: Frama-C's own contract of this function has no allocation. */
+/* Of the requests for memory, `most` at the most, one fails, or none; with most = 0 none fails, however many there are. */
+static int made, most, failing;
+
+void any_memory(int requests)
+{
+    most = requests;
+    failing = Frama_C_interval(0, most);
+    //@ split failing;
+}
+
+/* Frama-C's own contract of this function has no allocation. */
 int posix_memalign(void **memory, size_t alignment, size_t size)
 {
+    if (most) {
+        //@ assert enough: made < most;
+        if (made++ == failing)
+            return 12;
+    }
     *memory = malloc(size);
-    return *memory ? 0 : 12;
+    return 0;
 }
 
 int make_curve(et_curve *c, size_t p, int rational)
@@ -89,12 +104,7 @@ struct et_rng { int unused; };
 
 et_status et_rng_new(et_rng **rng, uint64_t seed)
 {
-    et_rng *made = malloc(sizeof *made);
-
-    if (made == NULL)
-        return ET_ENOMEM;
-    *rng = made;
-    return ET_OK;
+    return posix_memalign((void **)rng, sizeof(int), sizeof **rng) == 0 ? ET_OK : ET_ENOMEM;
 }
 
 void et_rng_free(et_rng *rng) { free(rng); }

@@ -1,7 +1,7 @@
 /* What the harnesses share: unknown numbers, and curves, surfaces and shells of the sizes that they are for.
  *
  * An entry point is a function `void eva_...(void)`.  Sizes, degrees and knots are concrete; coordinates, weights, parameters and seeds are any finite
- * numbers; memory may run out wherever it is asked for. */
+ * numbers; any one of the requests for memory may fail. */
 #ifndef PROOFS_EVA_H
 #define PROOFS_EVA_H
 #include "__fc_builtin.h"
@@ -17,6 +17,7 @@ static const size_t counts[4] = {3, 4, 4, 6};
 static const double knots[4][10] = {{0, 0.25, 0.5, 1}, {0, 0, 0.25, 0.5, 1, 1}, {0, 0, 0, 0.5, 1, 1, 1}, {0, 0, 0, 0, 0.5, 0.5, 1, 1, 1, 1}};
 
 double any(void);
+void any_memory(int requests);
 void fill(double *x, size_t n);
 int make_curve(et_curve *c, size_t p, int rational);
 int make_surface(et_surface *s, size_t p, size_t q, int rational);

@@ -27,6 +27,7 @@ static void fit(et_fit_approach approach, et_linalg_method algebra, int enclose)
     double residual[NOV];
     et_message message;
 
+    any_memory(0);
     fill(&data[0].x, 3 * NOV);
     if (et_fit_make(&f, data, NOV, net, &o, &message) != ET_OK)
         return;
@@ -39,12 +40,32 @@ static void fit(et_fit_approach approach, et_linalg_method algebra, int enclose)
     et_fit_free(&f);
 }
 
+/* Any one request for memory may fail: on the least net. */
+void eva_fit_memory(void)
+{
+    enum { N = 14 };
+    et_fit_options o = et_fit_defaults();
+    const et_doublenet net = {3, 4};
+    et_fit f;
+    et_vec3 data[N];
+    et_message message;
+
+    o.p = 1;
+    o.q = 2;
+    o.control = (et_doublenet){2, 3};
+    any_memory(71);
+    fill(&data[0].x, 3 * N);
+    if (et_fit_make(&f, data, N, net, &o, &message) == ET_OK)
+        et_fit_free(&f);
+}
+
 void eva_fit_parameters(void)
 {
     const et_doublenet net = {NX, NY};
     et_fit f;
     et_vec3 data[NOV];
 
+    any_memory(9);
     fill(&data[0].x, 3 * NOV);
     et_fit_name(ET_FIT_JOINT);
     if (et_fit_parameters(&f, data, NOV, net, ET_FIT_IMPROVED, ET_PARAM_CHORD) == ET_OK)

@@ -9,7 +9,7 @@ static et_status step(void *context, size_t done, size_t total)
     return *(int *)context ? ET_ESTOPPED : ET_OK;
 }
 
-void eva_som(void)    /* eva: -eva-slevel 100 -eva-slevel-merge-after-loop winner_bounded */
+void eva_som(void)    /* eva: -eva-slevel 100 */
 {
     et_rng *rng;
     et_vec3 weights[NOV], cloud[5];
@@ -20,6 +20,7 @@ void eva_som(void)    /* eva: -eva-slevel 100 -eva-slevel-merge-after-loop winne
     et_som_options o = et_som_defaults();
 
     o.iterations = 3;
+    any_memory(8);
     fill(&cloud[0].x, 15);
     if (et_rng_new(&rng, 1) != ET_OK)
         return;
@@ -28,12 +29,13 @@ void eva_som(void)    /* eva: -eva-slevel 100 -eva-slevel-merge-after-loop winne
     et_rng_free(rng);
 }
 
-void eva_quality(void)    /* eva: -eva-slevel 100 -eva-slevel-merge-after-loop winner_bounded */
+void eva_quality(void)    /* eva: -eva-slevel 100 */
 {
     et_vec3 weights[NOV], cloud[5];
     et_som_quality quality;
     const et_doublenet net = {NX, NY};
 
+    any_memory(4);
     fill(&weights[0].x, 3 * NOV);
     fill(&cloud[0].x, 15);
     et_quality_of(&quality, weights, NOV, net, cloud, 5);

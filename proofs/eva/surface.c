@@ -4,8 +4,9 @@ static void evaluate(size_t p, size_t q, int rational)
 {
     et_surface s, t;
     et_vec3 D[6], S[4], n;
-    const double u[2] = {any(), any()}, v[2] = {any(), any()};
+    const double u[2] = {any(), any()}, v[2] = {any(), any()}, lines[2] = {0.125, 1};
 
+    any_memory(13);
     if (!make_surface(&s, p, q, rational))
         return;
     et_surface_valid(&s);
@@ -20,7 +21,7 @@ static void evaluate(size_t p, size_t q, int rational)
     }
     free(work);
     free(wide);
-    et_surface_grid(S, &s, u, 2, v, 2);
+    et_surface_grid(S, &s, u, 2, lines, 2);
     if (et_surface_copy(&t, &s) == ET_OK)
         et_surface_free(&t);
     et_surface_free(&s);
@@ -30,6 +31,7 @@ static void insert(size_t p, size_t q, int rational, et_direction along)
 {
     et_surface s, t;
 
+    any_memory(11);
     if (!make_surface(&s, p, q, rational))
         return;
     if (et_surface_insert(&t, &s, along, 0.25, 2) == ET_OK)
@@ -42,6 +44,7 @@ static void removed(size_t p, size_t q, int rational, et_direction along)
     et_surface s, t;
     size_t n;
 
+    any_memory(14);
     if (!make_surface(&s, p, q, rational))
         return;
     if (et_surface_remove(&t, &n, &s, along, 0.5, 1, 1.0) == ET_OK)
@@ -53,6 +56,7 @@ static void elevate(size_t p, size_t q, int rational, et_direction along)
 {
     et_surface s, t;
 
+    any_memory(15);
     if (!make_surface(&s, p, q, rational))
         return;
     if (et_surface_elevate(&t, &s, along, 1) == ET_OK)
