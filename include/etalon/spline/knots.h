@@ -38,7 +38,8 @@ int et_knots_valid(const double *u, size_t nu, size_t p);
 int et_knots_clamped(const double *u, size_t nu, size_t p);
 
 /* 1 if the first p+1 knots are equal, the last p+1 too, and no other knot equals them, else 0.  Then the first and the last basis function, and they
- * alone, are 1 at the ends of the domain: the curve ends in the ends of the control polygon, a surface's borders are its border control points' curves. */
+ * alone, are 1 at the ends of the domain: the curve ends in the ends of the control polygon, and a surface's borders are the curves of its border
+ * control points. */
 /*@ requires count:   nu >= 2 * p + 2;
     requires knots:   \valid_read(u + (0 .. nu - 1));
     requires finite:  \forall integer i; 0 <= i < nu ==> \is_finite(u[i]);
