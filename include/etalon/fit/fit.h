@@ -70,7 +70,8 @@ et_fit_options et_fit_defaults(void);
  *                 corners are free, the corner control points the corner data: no optimum of anything, but closed;
  *   joint         the least sum over NOV classes of |D_c - (N P)_c|^2 in the NOV control classes.  QR: solved by orthogonal reduction to a problem in
  *                 the border's control points alone; cholesky and svd: one dense NOV x NOV' system.
- * Improved and joint shells are glued bit for bit (et_shell_glued), and closed unless parameters coincide at an end.  The squares of the data must not overflow.
+ * Improved and joint shells are glued bit for bit (et_shell_glued), and closed unless parameters coincide at an end.  The squares of the data must not
+ * overflow.
  * ET_EINVAL (sizes, degrees, options; message), ET_ENOMEM, ET_ERANK (message names view, direction and rank), ET_EFORMAT (overflow of the solution).
  * The result is freed with et_fit_free. */
 /*@ requires valid:     \valid(fit) && \valid_read(options) && \valid_read(data + (0 .. nov - 1));
@@ -119,6 +120,8 @@ et_status et_fit_parameters(et_fit *fit, const et_vec3 *data, size_t nov, et_dou
     requires residual:  residual == \null || \valid(residual + (0 .. nov - 1));
     requires fit:       et_fit_stored((et_fit *)fit) && et_surface_ok(&fit->shell.view[0]) && et_surface_ok(&fit->shell.view[1]);
     requires finite:    et_points_finite((et_vec3 *)data, nov);
+    requires parameters: \forall integer w, i; 0 <= w < 2 ==> (0 <= i < fit->data.nx ==> \is_finite(fit->s[w][i]))
+                            && (0 <= i < fit->data.ny ==> \is_finite(fit->r[w][i]));
     requires separated: \separated(error, fit, data + (0 .. nov - 1), residual + (0 .. nov - 1));
     assigns *error, residual[0 .. nov - 1];
     ensures invalid:    !et_net_ok(fit->data.nx, fit->data.ny) || nov != NOV(fit->data.nx, fit->data.ny) <==> \result == ET_EINVAL;
