@@ -1,0 +1,405 @@
+(* How far the double-double operations of src/base/dd_parts.h are from the exact results: relative bounds for operands in normal form, on binary64's
+   numbers with gradual underflow, no overflow.  A sum never underflows; for products and quotients the range is a hypothesis, that of
+   include/etalon/base/dd.h.  u = 2^-53.
+   What stands between QUOTE and END is the C code, word for word: proofs/coq/quote.sh checks it. *)
+From Coq Require Import Reals Lra Lia ZArith Psatz.
+From Flocq Require Import Core Relative Plus_error Sterbenz Div_sqrt_error Pff.Pff2Flocq.
+From Etalon Require Import Binary64 DoubleDouble.
+Open Scope R_scope.
+#[local] Instance precision_bounds : Prec_gt_0 53.
+Proof. reflexivity. Qed.
+
+Definition u : R := / 9007199254740992.
+Definition eta : R := bpow radix2 (-1075).
+Definition value (d : dd) : R := hi d + lo d.
+Record normal (d : dd) : Prop := { hi_double : double (hi d); lo_double : double (lo d); hi_nearest : hi d = rnd64 (value d) }.
+
+(* ---- one rounding ---- *)
+
+Lemma u_is_u64 : u64 = u.
+Proof. unfold u64, u. simpl. lra. Qed.
+Lemma eta_pos : 0 < eta.
+Proof. apply bpow_gt_0. Qed.
+Lemma Rabs_in : forall x k, Rabs x <= k -> - k <= x <= k.
+Proof. intros x k H. now apply Rabs_le_inv. Qed.
+
+Lemma round_any : forall x k, Rabs x <= k -> Rabs (rnd64 x - x) <= u * k + eta.
+Proof.
+  intros x k H. destruct (error_N_FLT radix2 (-1074) 53 eq_refl (fun z => negb (Z.even z)) x) as (e & n & He & Hn & _ & E).
+  change (round radix2 (FLT_exp (-1074) 53) (Znearest (fun z => negb (Z.even z))) x) with (rnd64 x) in E. rewrite E.
+  replace (x * (1 + e) + n - x) with (x * e + n) by ring. apply Rle_trans with (1 := Rabs_triang _ _). apply Rplus_le_compat.
+  - rewrite Rabs_mult, Rmult_comm. apply Rmult_le_compat; try apply Rabs_pos; auto. apply Rle_trans with (1 := He). unfold u. simpl. lra.
+  - apply Rle_trans with (1 := Hn). apply Req_le. unfold eta. change (-1075)%Z with (-1 + -1074)%Z. rewrite bpow_plus. simpl (bpow _ (-1)). lra.
+Qed.
+Lemma round_normal : forall x k, x = 0 \/ least <= Rabs x -> Rabs x <= k -> Rabs (rnd64 x - x) <= u * k.
+Proof.
+  intros x k Hl H. rewrite rnd64_normal by auto. apply Rle_trans with (1 := rnd_error x). rewrite u_is_u64. apply Rmult_le_compat_l; [unfold u; lra|auto].
+Qed.
+Lemma round_sum : forall x y k, double x -> double y -> Rabs (x + y) <= k -> Rabs (rnd64 (x + y) - (x + y)) <= u * k.
+Proof.
+  intros x y k Hx Hy H. rewrite rnd64_sum by auto. apply Rle_trans with (1 := rnd_error _). rewrite u_is_u64.
+  apply Rmult_le_compat_l; [unfold u; lra|auto].
+Qed.
+Lemma round_sum_result : forall x y, double x -> double y -> Rabs (rnd64 (x + y) - (x + y)) <= u * Rabs (rnd64 (x + y)).
+Proof.
+  intros x y Hx Hy. rewrite rnd64_sum by auto.
+  pose proof (relative_error_N_FLX_round radix2 53 eq_refl (fun z => negb (Z.even z)) (x + y)) as H.
+  change (round radix2 (FLX_exp 53) (Znearest (fun z => negb (Z.even z))) (x + y)) with (rnd (x + y)) in H.
+  apply Rle_trans with (1 := H). apply Rmult_le_compat_r; [apply Rabs_pos|]. unfold u. simpl. lra.
+Qed.
+Lemma round_0 : rnd64 0 = 0.
+Proof. apply Generic_fmt.round_0. apply valid_rnd_N. Qed.
+Lemma round_id : forall x, double x -> rnd64 x = x.
+Proof. intros x H. apply round_generic; [apply valid_rnd_N|auto]. Qed.
+Lemma double_0 : double 0.
+Proof. apply generic_format_0. Qed.
+Lemma double_opp : forall x, double x -> double (- x).
+Proof. intros x. apply generic_format_opp. Qed.
+
+Lemma normal_lo : forall d, normal d -> Rabs (lo d) <= u * Rabs (hi d).
+Proof.
+  intros d [Hh Hl E]. rewrite E. replace (lo d) with (- (rnd64 (value d) - value d)) by (rewrite <- E; unfold value; ring).
+  rewrite Rabs_Ropp. now apply round_sum_result.
+Qed.
+Lemma normal_0 : forall d, normal d -> hi d = 0 -> lo d = 0.
+Proof.
+  intros d H E. pose proof (normal_lo d H) as L. rewrite E, Rabs_R0, Rmult_0_r in L. pose proof (Rabs_pos (lo d)).
+  destruct (Req_dec (lo d) 0) as [e|e]; auto. apply Rabs_pos_lt in e. lra.
+Qed.
+
+(* What is less than 2^-170 of a value from 2^-905 on. *)
+Lemma eta_small : forall m, bpow radix2 (-905) <= m -> 0 <= eta <= / 1000000000000000000000000000000000000000000000000000 * m.
+Proof.
+  intros m H. split; [apply Rlt_le, eta_pos|]. unfold eta. change (-1075)%Z with (-170 + -905)%Z. rewrite bpow_plus.
+  apply Rmult_le_compat; try apply bpow_ge_0; auto. simpl. lra.
+Qed.
+
+(* ---- the product: JMP 10 ---- *)
+
+(* QUOTE src/base/dd_parts.h
+    const et_dd p = dd_two_product(a.hi, b.hi);
+
+    return dd_fast_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+END
+   QUOTE src/base/dd.c
+    return dd_mul(a, b);
+END *)
+Definition mul (a b : dd) : dd :=
+  let p := two_product (hi a) (hi b) in
+  fast_two_sum (hi p) (rnd64 (lo p + rnd64 (rnd64 (hi a * lo b) + rnd64 (lo a * hi b)))).
+
+Lemma product_bound : forall x y k l, Rabs x <= k -> Rabs y <= l -> Rabs (x * y) <= k * l.
+Proof. intros. rewrite Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos. Qed.
+Lemma lo_double_product : forall a b, double (lo (two_product a b)).
+Proof. intros. apply rnd64_double. Qed.
+
+Ltac zeros := repeat (rewrite ?Rmult_0_l, ?Rmult_0_r, ?Rplus_0_l, ?Rplus_0_r, ?Rminus_0_r, ?round_0).
+Lemma two_product_0_l : forall b, two_product 0 b = DD 0 0.
+Proof. intros b. unfold two_product, upper. zeros. reflexivity. Qed.
+Lemma two_product_0_r : forall a, two_product a 0 = DD 0 0.
+Proof. intros a. unfold two_product, upper. zeros. reflexivity. Qed.
+Ltac bounds := repeat match goal with H : Rabs _ <= _ |- _ => apply Rabs_in in H end.
+
+Theorem mul_near : forall a b, normal a -> normal b -> hi a * hi b = 0 \/ bpow radix2 (-900) <= Rabs (hi a * hi b) ->
+  Rabs (value (mul a b) - value a * value b) <= (8 * u ^ 2 + 40 * u ^ 3) * Rabs (value a * value b).
+Proof.
+  intros a b Ha Hb H. pose proof (normal_lo a Ha) as La. pose proof (normal_lo b Hb) as Lb.
+  destruct H as [Z|H].
+  { assert (value a * value b = 0 /\ value (mul a b) = 0) as [-> ->].
+    2: { rewrite Rminus_0_r, Rabs_R0. lra. }
+    unfold value, mul. apply Rmult_integral in Z. destruct Z as [Z|Z]; [rewrite Z, (normal_0 a Ha Z), two_product_0_l|
+      rewrite Z, (normal_0 b Hb Z), two_product_0_r]; unfold fast_two_sum; cbn [hi lo]; split; try ring; zeros; ring. }
+  destruct Ha as [Dah Dal _], Hb as [Dbh Dbl _]. set (M := Rabs (hi a * hi b)) in *.
+  assert (E := two_product_exact (hi a) (hi b) Dah Dbh). 
+  assert (M0 : 0 < M) by (apply Rlt_le_trans with (2 := H); apply bpow_gt_0).
+  assert (T : 0 <= eta <= / 1000000000000000000000000000000000000000000000000000 * M).
+  { apply eta_small. apply Rle_trans with (2 := H). apply bpow_le. lia. }
+  specialize (E ltac:(right; apply Rle_trans with (2 := H); apply bpow_le; lia)).
+  unfold mul. set (p := two_product (hi a) (hi b)) in *.
+  assert (Dp : double (hi p)) by apply rnd64_double. assert (Dq : double (lo p)) by apply rnd64_double.
+  assert (P : Rabs (hi p - hi a * hi b) <= u * M).
+  { apply round_normal; [right|unfold M; lra]. apply Rle_trans with (2 := H). unfold least. apply bpow_le. lia. }
+  assert (Eab : forall x y, Rabs x * Rabs y = Rabs (x * y)) by (intros; now rewrite Rabs_mult).
+  assert (T1 : Rabs (hi a * lo b) <= u * M).
+  { apply Rle_trans with (1 := product_bound _ _ _ _ (Rle_refl _) Lb). unfold M. rewrite <- Eab. apply Req_le. ring. }
+  assert (T2 : Rabs (lo a * hi b) <= u * M).
+  { apply Rle_trans with (1 := product_bound _ _ _ _ La (Rle_refl _)). unfold M. rewrite <- Eab. apply Req_le. ring. }
+  assert (T3 : Rabs (lo a * lo b) <= u * u * M).
+  { apply Rle_trans with (1 := product_bound _ _ _ _ La Lb). unfold M. rewrite <- Eab. apply Req_le. ring. }
+  assert (R1 := round_any _ _ T1). assert (R2 := round_any _ _ T2).
+  set (t1 := rnd64 (hi a * lo b)) in *. set (t2 := rnd64 (lo a * hi b)) in *.
+  assert (D1 : double t1) by apply rnd64_double. assert (D2 : double t2) by apply rnd64_double.
+  assert (S1 : Rabs (t1 + t2) <= (2 * u + 3 * u * u) * M).
+  { apply Rabs_le. bounds. unfold u in *. lra. }
+  assert (R3 := round_sum t1 t2 _ D1 D2 S1). set (c := rnd64 (t1 + t2)) in *. assert (D3 : double c) by apply rnd64_double.
+  assert (S2 : Rabs (lo p + c) <= (3 * u + 6 * u * u) * M).
+  { apply Rabs_le. bounds. unfold u in *. lra. }
+  assert (R4 := round_sum (lo p) c _ Dq D3 S2). set (d := rnd64 (lo p + c)) in *. assert (D4 : double d) by apply rnd64_double.
+  unfold value at 1. rewrite fast_two_sum_exact; auto.
+  2: { apply Rle_trans with (4 * u * M); [apply Rabs_le; bounds; unfold u in *; lra|]. apply Rle_trans with ((1 - u) * M).
+       - unfold u. lra.
+       - assert (M - Rabs (hi p) <= u * M); [|lra]. apply Rle_trans with (2 := P). unfold M. rewrite Rabs_minus_sym. apply Rabs_triang_inv. }
+  assert (V : (1 - 3 * u) * M <= Rabs (value a * value b)).
+  { unfold value. replace ((hi a + lo a) * (hi b + lo b)) with (hi a * hi b - - (hi a * lo b + lo a * hi b + lo a * lo b)) by ring.
+    apply Rle_trans with (2 := Rabs_triang_inv _ _). fold M. rewrite Rabs_Ropp.
+    assert (Rabs (hi a * lo b + lo a * hi b + lo a * lo b) <= 3 * u * M); [|lra]. apply Rabs_le. bounds. unfold u in *. lra. }
+  apply Rle_trans with ((8 * u ^ 2 + 12 * u ^ 3) * M).
+  - unfold value. apply Rabs_le. bounds. replace ((hi a + lo a) * (hi b + lo b)) with (hi p + lo p + (hi a * lo b + lo a * hi b + lo a * lo b)) by
+      (rewrite E; ring). unfold u in *. lra.
+  - apply Rle_trans with ((8 * u ^ 2 + 40 * u ^ 3) * ((1 - 3 * u) * M)); [unfold u; lra|]. apply Rmult_le_compat_l; [unfold u; lra|exact V].
+Qed.
+
+(* ---- the sum: JMP 6 ---- *)
+
+(* QUOTE src/base/dd_parts.h
+    const et_dd s = dd_two_sum(a.hi, b.hi), t = dd_two_sum(a.lo, b.lo), v = dd_fast_two_sum(s.hi, s.lo + t.hi);
+
+    return dd_fast_two_sum(v.hi, t.lo + v.lo);
+END
+   QUOTE src/base/dd.c
+    return dd_add(a, b);
+END *)
+Definition add (a b : dd) : dd :=
+  let s := two_sum (hi a) (hi b) in let t := two_sum (lo a) (lo b) in let v := fast_two_sum (hi s) (rnd64 (lo s + hi t)) in
+  fast_two_sum (hi v) (rnd64 (lo t + lo v)).
+
+(* fast_two_sum is exact, too, where the sum is a double, and where both are multiples of a power of two of which the second is less than 2^53. *)
+Lemma fast_two_sum_double : forall a b, double b -> double (a + b) -> hi (fast_two_sum a b) = a + b /\ lo (fast_two_sum a b) = 0.
+Proof.
+  intros a b Hb H. unfold fast_two_sum. cbn [hi lo]. rewrite (round_id (a + b)) by auto. replace (a + b - a) with b by ring.
+  rewrite (round_id b) by auto. now rewrite Rminus_eq_0, round_0.
+Qed.
+Lemma grid_double : forall n e, (Z.abs n <= 2 ^ 53)%Z -> (-1074 <= e)%Z -> double (IZR n * bpow radix2 e).
+Proof.
+  intros n e Hn He. destruct (Z.eq_dec (Z.abs n) (2 ^ 53)) as [E|E].
+  - assert (D : double (bpow radix2 53 * bpow radix2 e)).
+    { rewrite <- bpow_plus. apply generic_format_bpow. unfold FLT_exp. lia. }
+    change (bpow radix2 53) with (IZR (2 ^ 53)) in D. set (z := (2 ^ 53)%Z) in *.
+    assert (n = z \/ n = - z)%Z as [-> | ->] by (unfold z in *; lia); [exact D|].
+    rewrite opp_IZR. replace (- IZR z * bpow radix2 e) with (- (IZR z * bpow radix2 e)) by ring. now apply double_opp.
+  - apply generic_format_FLT. exists (Float radix2 n e); [reflexivity|simpl; lia|simpl; lia].
+Qed.
+Lemma on_grid : forall x e, double x -> (e <= cexp radix2 (FLT_exp (-1074) 53) x)%Z -> exists n, x = IZR n * bpow radix2 e.
+Proof.
+  intros x e H He. exists (Ztrunc (scaled_mantissa radix2 (FLT_exp (-1074) 53) x) * 2 ^ (cexp radix2 (FLT_exp (-1074) 53) x - e))%Z.
+  rewrite mult_IZR. change 2%Z with (radix_val radix2). rewrite IZR_Zpower by lia. rewrite Rmult_assoc, <- bpow_plus.
+  rewrite Z.sub_add. exact H.
+Qed.
+Lemma grid_round : forall n e, (-1074 <= e)%Z -> (Z.abs n < 2 ^ 54)%Z ->
+  exists d, (Z.abs d <= 1)%Z /\ rnd64 (IZR n * bpow radix2 e) = IZR (n + d) * bpow radix2 e.
+Proof.
+  intros n e He Hn. pose proof (bpow_gt_0 radix2 e) as Pe. destruct (Z_le_gt_dec (Z.abs n) (2 ^ 53)) as [h|h].
+  { exists 0%Z. split; [lia|]. rewrite Z.add_0_r. apply round_id. now apply grid_double. }
+  assert (A : forall k, (Z.abs k <= 2 ^ 53)%Z -> double (IZR (2 * k) * bpow radix2 e)).
+  { intros k Hk. replace (IZR (2 * k) * bpow radix2 e) with (IZR k * bpow radix2 (e + 1)); [apply grid_double; lia|].
+    rewrite mult_IZR, bpow_plus. change (bpow radix2 1) with 2. ring. }
+  destruct (Z.Even_or_Odd n) as [[m Em]|[m Em]].
+  { exists 0%Z. split; [lia|]. rewrite Z.add_0_r. apply round_id. rewrite Em. apply A. lia. }
+  set (x := IZR n * bpow radix2 e).
+  assert (G : exists k, rnd64 x = IZR k * bpow radix2 e).
+  { apply on_grid; [apply rnd64_double|].
+    assert (L : bpow radix2 (e + 53) <= Rabs (rnd64 x)).
+    { apply abs_round_ge_generic; [apply FLT_exp_valid; reflexivity|apply valid_rnd_N|apply generic_format_bpow; unfold FLT_exp; lia|].
+      unfold x. rewrite Rabs_mult, (Rabs_pos_eq (bpow _ e)), Z.add_comm, bpow_plus by lra. apply Rmult_le_compat_r; [lra|].
+      rewrite <- abs_IZR. replace (bpow radix2 53) with (IZR (2 ^ 53)) by reflexivity. apply IZR_le. lia. }
+    unfold cexp, FLT_exp. replace (e + 53)%Z with (e + 54 - 1)%Z in L by ring. apply mag_ge_bpow in L. lia. }
+  destruct G as [k G]. exists (k - n)%Z. rewrite G. split; [|f_equal; f_equal; lia].
+  assert (R1 : IZR (2 * m) * bpow radix2 e <= rnd64 x).
+  { rewrite <- (round_id (IZR (2 * m) * bpow radix2 e)) by (apply A; lia). apply round_le; [apply FLT_exp_valid; reflexivity|apply valid_rnd_N|].
+    apply Rmult_le_compat_r; [lra|apply IZR_le; lia]. }
+  assert (R2 : rnd64 x <= IZR (2 * (m + 1)) * bpow radix2 e).
+  { rewrite <- (round_id (IZR (2 * (m + 1)) * bpow radix2 e)) by (apply A; lia). apply round_le; [apply FLT_exp_valid; reflexivity|
+      apply valid_rnd_N|]. apply Rmult_le_compat_r; [lra|apply IZR_le; lia]. }
+  rewrite G in R1, R2. apply Rmult_le_reg_r in R1, R2; auto. apply le_IZR in R1, R2. lia.
+Qed.
+Lemma fast_two_sum_grid : forall n m e, (-1074 <= e)%Z -> (Z.abs n <= Z.abs m < 2 ^ 53)%Z ->
+  let a := IZR n * bpow radix2 e in let b := IZR m * bpow radix2 e in hi (fast_two_sum a b) + lo (fast_two_sum a b) = a + b.
+Proof.
+  intros n m e He Hm a b. assert (E : a + b = IZR (n + m) * bpow radix2 e) by (unfold a, b; rewrite plus_IZR; ring).
+  destruct (grid_round (n + m) e He ltac:(lia)) as (d & Hd & R). unfold fast_two_sum. cbn [hi lo]. rewrite E, R.
+  replace (IZR (n + m + d) * bpow radix2 e - a) with (IZR (m + d) * bpow radix2 e) by (unfold a; rewrite !plus_IZR; ring).
+  rewrite (round_id (IZR (m + d) * bpow radix2 e)) by (apply grid_double; lia).
+  replace (b - IZR (m + d) * bpow radix2 e) with (IZR (- d) * bpow radix2 e) by (unfold b; rewrite !plus_IZR, opp_IZR; ring).
+  rewrite (round_id (IZR (- d) * bpow radix2 e)) by (apply grid_double; lia). rewrite !plus_IZR, opp_IZR. ring.
+Qed.
+
+Lemma two_sum_lo : forall a b, double a -> double b -> Rabs (lo (two_sum a b)) <= u * Rabs (a + b).
+Proof.
+  intros a b Ha Hb. replace (lo (two_sum a b)) with (- (hi (two_sum a b) - (a + b))) by (rewrite <- (two_sum_exact a b) by auto; ring).
+  rewrite Rabs_Ropp. apply round_sum; auto. lra.
+Qed.
+
+(* Nothing much cancels in the upper parts: the lower parts' sum is within k u of theirs. *)
+Lemma add_apart : forall a b k, normal a -> normal b -> 1 <= k <= 3 -> Rabs (lo a + lo b) <= k * u * Rabs (hi a + hi b) ->
+  Rabs (value (add a b) - (value a + value b)) <= ((k + 2) * u ^ 2 + (4 * k + 3) * u ^ 3) * Rabs (hi a + hi b).
+Proof.
+  intros a b k [Ah Al _] [Bh Bl _] Hk H. set (S := Rabs (hi a + hi b)) in *. pose proof (Rabs_pos (hi a + hi b)) as S0. fold S in S0.
+  pose proof (two_sum_exact _ _ Ah Bh) as Es. pose proof (two_sum_exact _ _ Al Bl) as Et.
+  pose proof (two_sum_lo _ _ Ah Bh) as Ls. fold S in Ls. pose proof (two_sum_lo _ _ Al Bl) as Lt.
+  assert (KS : 0 <= k * S <= 3 * S) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
+  replace (k * u * S) with (u * (k * S)) in H by ring.
+  replace (((k + 2) * u ^ 2 + (4 * k + 3) * u ^ 3) * S) with ((u ^ 2 + 4 * u ^ 3) * (k * S) + (2 * u ^ 2 + 3 * u ^ 3) * S) by ring. set (W := k * S) in *.
+  unfold add. set (s := two_sum (hi a) (hi b)) in *. set (t := two_sum (lo a) (lo b)) in *.
+  assert (Dsh : double (hi s)) by apply rnd64_double. assert (Dsl : double (lo s)) by apply rnd64_double.
+  assert (Dth : double (hi t)) by apply rnd64_double. assert (Dtl : double (lo t)) by apply rnd64_double.
+  assert (Lt' : Rabs (lo t) <= u * (u * W)) by (apply Rle_trans with (1 := Lt); apply Rmult_le_compat_l; [unfold u; lra|exact H]).
+  assert (C1 : Rabs (lo s + hi t) <= u * S + u * W + u * u * W) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (R1 := round_sum _ _ _ Dsl Dth C1). set (c := rnd64 (lo s + hi t)) in *. assert (Dc : double c) by apply rnd64_double.
+  assert (Bsh : (1 - u) * S <= Rabs (hi s) <= (1 + u) * S).
+  { unfold S in *. rewrite <- Es in *. split; [|apply Rabs_le; apply Rabs_le_inv in Ls]; unfold u in *; split_Rabs; lra. }
+  assert (Bc : Rabs c <= (1 + u) * (u * S + u * W + u * u * W)) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (Ev := fast_two_sum_exact (hi s) c Dsh Dc ltac:(unfold u in *; lra)).
+  assert (Lv : Rabs (lo (fast_two_sum (hi s) c)) <= u * ((1 + u) * S + (1 + u) * (u * S + u * W + u * u * W))).
+  { replace (lo (fast_two_sum (hi s) c)) with (- (hi (fast_two_sum (hi s) c) - (hi s + c))) by (rewrite <- Ev; ring). rewrite Rabs_Ropp.
+    apply round_sum; auto. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
+  set (v := fast_two_sum (hi s) c) in *. assert (Dvh : double (hi v)) by apply rnd64_double. assert (Dvl : double (lo v)) by apply rnd64_double.
+  assert (C2 : Rabs (lo t + lo v) <= u * (u * W + (1 + u) * S + (1 + u) * (u * S + u * W + u * u * W))) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (R2 := round_sum _ _ _ Dtl Dvl C2). set (w := rnd64 (lo t + lo v)) in *. assert (Dw : double w) by apply rnd64_double.
+  unfold value at 1. rewrite fast_two_sum_exact; auto.
+  2: { assert (Rabs w <= 2 * u * S) by (apply Rabs_le; bounds; unfold u in *; lra).
+       assert (Rabs (hi s) - Rabs c - Rabs (lo v) <= Rabs (hi v)); [|unfold u in *; lra].
+       replace (hi s) with (hi v + lo v - c) by lra. clear. split_Rabs; lra. }
+  unfold value. apply Rabs_le. bounds. unfold u in *. lra.
+Qed.
+
+(* Where they do, within a factor 2: their sum and, with it, all but the last rounding are exact; and that is exact if the rest cancels too. *)
+Lemma sterbenz_either : forall a b, double a -> double b -> b / 2 <= - a <= 2 * b \/ 2 * b <= - a <= b / 2 -> double (a + b).
+Proof.
+  intros a b Ha Hb [H|H].
+  - replace (a + b) with (b - - a) by ring. apply sterbenz; [apply FLT_exp_valid; reflexivity|apply FLT_exp_monotone|auto|now apply double_opp|lra].
+  - replace (a + b) with (a - - b) by ring. apply sterbenz; [apply FLT_exp_valid; reflexivity|apply FLT_exp_monotone|auto|now apply double_opp|lra].
+Qed.
+Notation place := (cexp radix2 (FLT_exp (-1074) 53)).
+Lemma normal_ulp : forall d, normal d -> hi d <> 0 -> Rabs (lo d) <= / 2 * bpow radix2 (place (hi d)).
+Proof.
+  intros d [Hh Hl E] Z. rewrite <- (ulp_neq_0 radix2 (FLT_exp (-1074) 53) (hi d)) by auto.
+  replace (lo d) with (- (rnd64 (value d) - value d)) by (rewrite <- E; unfold value; ring). rewrite Rabs_Ropp. rewrite E.
+  apply error_le_half_ulp_round; [apply FLT_exp_valid; reflexivity|apply FLT_exp_monotone].
+Qed.
+Lemma mag_double : forall x y, x <> 0 -> Rabs x <= 2 * Rabs y -> (mag radix2 x <= mag radix2 y + 1)%Z.
+Proof.
+  intros x y Z H. assert (y <> 0) by (intros ->; rewrite Rabs_R0 in H; apply Rabs_pos_lt in Z; lra).
+  rewrite <- (mag_mult_bpow radix2 y 1) by auto. apply mag_le_abs; auto. change (bpow radix2 1) with 2. rewrite Rabs_mult, (Rabs_pos_eq 2) by lra. lra.
+Qed.
+(* The rounded sum of the lower parts has no bit to the right of which the upper parts have none. *)
+Lemma lower_place : forall a b, normal a -> normal b -> hi a <> 0 -> hi b <> 0 -> Rabs (hi a) <= 2 * Rabs (hi b) -> Rabs (hi b) <= 2 * Rabs (hi a) ->
+  let t := rnd64 (lo a + lo b) in t <> 0 -> (place t <= place (hi a) /\ place t <= place (hi b))%Z.
+Proof.
+  intros a b Ha Hb Za Zb H1 H2 t Zt. pose proof (normal_ulp a Ha Za) as La. pose proof (normal_ulp b Hb Zb) as Lb.
+  pose proof (mag_double _ _ Za H1) as M1. pose proof (mag_double _ _ Zb H2) as M2.
+  assert (A : forall c, (place (hi a) <= c + 1)%Z -> (place (hi b) <= c + 1)%Z -> (-1074 <= c)%Z -> (place t <= c)%Z).
+  { intros c Ca Cb Hc. apply (bpow_le radix2) in Ca. apply (bpow_le radix2) in Cb.
+    assert (L : Rabs t <= bpow radix2 (c + 1)).
+    { apply abs_round_le_generic; [apply FLT_exp_valid; reflexivity|apply valid_rnd_N|apply generic_format_bpow; unfold FLT_exp; lia|].
+      apply Rle_trans with (1 := Rabs_triang _ _). lra. }
+    assert (Mt : (mag radix2 t <= c + 2)%Z).
+    { apply mag_le_bpow; auto. apply Rle_lt_trans with (1 := L). apply bpow_lt. lia. }
+    unfold cexp, FLT_exp. lia. }
+  split; apply A; unfold cexp, FLT_exp; lia.
+Qed.
+
+Lemma add_close : forall a b, normal a -> normal b -> hi b / 2 <= - hi a <= 2 * hi b \/ 2 * hi b <= - hi a <= hi b / 2 ->
+  Rabs (value (add a b) - (value a + value b)) <= (3 * u ^ 2 + 7 * u ^ 3) * Rabs (value a + value b).
+Proof.
+  intros a b Ha Hb H. assert (Ah := hi_double a Ha). assert (Bh := hi_double b Hb). assert (Al := lo_double a Ha). assert (Bl := lo_double b Hb).
+  assert (D := sterbenz_either _ _ Ah Bh H).
+  pose proof (two_sum_exact _ _ Ah Bh) as Es. assert (Hs : hi (two_sum (hi a) (hi b)) = hi a + hi b) by (now apply round_id).
+  assert (Ls : lo (two_sum (hi a) (hi b)) = 0) by lra. pose proof (two_sum_exact _ _ Al Bl) as Et.
+  assert (Lt : Rabs (lo (two_sum (lo a) (lo b))) <= u * Rabs (hi (two_sum (lo a) (lo b)))).
+  { replace (lo (two_sum (lo a) (lo b))) with (- (hi (two_sum (lo a) (lo b)) - (lo a + lo b))) by lra. rewrite Rabs_Ropp. now apply round_sum_result. }
+  assert (P : hi (two_sum (lo a) (lo b)) <> 0 -> hi a = 0 \/
+    (place (hi (two_sum (lo a) (lo b))) <= place (hi a) /\ place (hi (two_sum (lo a) (lo b))) <= place (hi b))%Z).
+  { intros Zt. destruct (Req_dec (hi a) 0) as [Za|Za]; [now left|right]. apply lower_place; auto; try (intros Zb; lra); split_Rabs; lra. }
+  unfold add. rewrite Ls, Hs. set (t := two_sum (lo a) (lo b)) in *. set (s := hi a + hi b) in *. rewrite Rplus_0_l.
+  assert (Dth : double (hi t)) by apply rnd64_double. assert (Dtl : double (lo t)) by apply rnd64_double. rewrite (round_id (hi t)) by auto.
+  assert (V : value a + value b = s + hi t + lo t) by (unfold value, s; lra). rewrite V.
+  assert (G : hi t <> 0 -> hi a <> 0 -> exists n m, s = IZR n * bpow radix2 (place (hi t)) /\ hi t = IZR m * bpow radix2 (place (hi t)) /\ (Z.abs m < 2 ^ 53)%Z).
+  { intros Zt Za. destruct (P Zt) as [?|[P1 P2]]; [contradiction|].
+    destruct (on_grid (hi a) _ Ah P1) as [n1 E1]. destruct (on_grid (hi b) _ Bh P2) as [n2 E2].
+    exists (n1 + n2)%Z, (Ztrunc (scaled_mantissa radix2 (FLT_exp (-1074) 53) (hi t))). split; [|split].
+    - unfold s. rewrite plus_IZR, Rmult_plus_distr_r. now rewrite <- E1, <- E2.
+    - exact Dth.
+    - apply lt_IZR. rewrite abs_IZR. rewrite <- scaled_mantissa_generic by exact Dth.
+      change (IZR (2 ^ 53)) with (bpow radix2 53). apply Rlt_le_trans with (1 := scaled_mantissa_lt_bpow radix2 (FLT_exp (-1074) 53) (hi t)).
+      apply bpow_le. unfold cexp, FLT_exp. lia. }
+  pose proof (Rabs_pos (s + hi t)) as X0.
+  destruct (Rle_or_lt (Rabs (hi t)) (2 * Rabs (s + hi t))) as [C|C].
+  - assert (Ev : hi (fast_two_sum s (hi t)) + lo (fast_two_sum s (hi t)) = s + hi t).
+    { destruct (Rle_or_lt (Rabs (hi t)) (Rabs s)) as [h|h]; [now apply fast_two_sum_exact|].
+      assert (Zt : hi t <> 0) by (intros E; rewrite E, Rabs_R0 in h; pose proof (Rabs_pos s); lra).
+      destruct (Req_dec (hi a) 0) as [Za|Za].
+      - destruct (fast_two_sum_double s (hi t)) as [-> ->]; auto; [|ring]. replace (s + hi t) with (hi t); auto. unfold s. lra.
+      - destruct (G Zt Za) as (n & m & E1 & E2 & Hm). set (e := place (hi t)) in *.
+        assert (h' : Rabs (IZR n * bpow radix2 e) < Rabs (IZR m * bpow radix2 e)) by (rewrite <- E1, <- E2; exact h).
+        rewrite !Rabs_mult in h'. apply Rmult_lt_reg_r in h'; [|rewrite Rabs_pos_eq by apply bpow_ge_0; apply bpow_gt_0].
+        rewrite <- !abs_IZR in h'. apply lt_IZR in h'.
+        pose proof (fast_two_sum_grid n m e ltac:(unfold e, cexp, FLT_exp; lia) ltac:(lia)) as Q. cbv zeta in Q. now rewrite <- E1, <- E2 in Q. }
+    assert (Lv : Rabs (lo (fast_two_sum s (hi t))) <= u * Rabs (s + hi t)).
+    { replace (lo (fast_two_sum s (hi t))) with (- (hi (fast_two_sum s (hi t)) - (s + hi t))) by lra. rewrite Rabs_Ropp.
+      apply round_sum; auto. lra. }
+    set (v := fast_two_sum s (hi t)) in *. assert (Dvh : double (hi v)) by apply rnd64_double. assert (Dvl : double (lo v)) by apply rnd64_double.
+    set (X := Rabs (s + hi t)) in *.
+    assert (T : Rabs (lo t) <= 2 * u * X) by (unfold u in *; lra).
+    assert (S2 : Rabs (lo t + lo v) <= 3 * u * X) by (apply Rle_trans with (1 := Rabs_triang _ _); lra).
+    assert (R := round_sum _ _ _ Dtl Dvl S2). set (w := rnd64 (lo t + lo v)) in *. assert (Dw : double w) by apply rnd64_double.
+    unfold value. rewrite fast_two_sum_exact; auto.
+    2: { assert (Rabs w <= 4 * u * X) by (apply Rabs_le; bounds; unfold u in *; lra).
+         assert (X - Rabs (lo v) <= Rabs (hi v)); [|unfold u in *; lra]. unfold X. rewrite <- Ev. clear. split_Rabs; lra. }
+    assert (B : X - 2 * u * X <= Rabs (s + hi t + lo t)) by (unfold X; revert T; unfold X; clear; intros; split_Rabs; lra).
+    apply Rle_trans with (3 * u ^ 2 * X).
+    + replace (hi v + w - (s + hi t + lo t)) with (w - (lo t + lo v)) by lra. unfold u in *. lra.
+    + unfold u in *. lra.
+  - assert (Zt : hi t <> 0) by (intros E; rewrite E in C, X0; rewrite Rabs_R0 in C; lra).
+    assert (DX : double (s + hi t)).
+    { apply sterbenz_either; auto. revert C. clear. split_Rabs; lra. }
+    destruct (fast_two_sum_double s (hi t) Dth DX) as [-> ->]. rewrite Rplus_0_r, (round_id (lo t)) by auto.
+    assert (Z : hi (fast_two_sum (s + hi t) (lo t)) + lo (fast_two_sum (s + hi t) (lo t)) = s + hi t + lo t).
+    { destruct (Req_dec (s + hi t) 0) as [E|E].
+      - rewrite E. destruct (fast_two_sum_double 0 (lo t)) as [-> ->]; auto; rewrite ?Rplus_0_l; auto; ring.
+      - apply fast_two_sum_exact; auto. destruct (Req_dec (hi a) 0) as [Za|Za].
+        { exfalso. replace s with 0 in C by (unfold s; lra). rewrite Rplus_0_l in C. apply Rabs_pos_lt in Zt. lra. }
+        destruct (G Zt Za) as (n & m & E1 & E2 & Hm).
+        assert (U : Rabs (lo t) <= / 2 * bpow radix2 (place (hi t))).
+        { rewrite <- (ulp_neq_0 radix2 (FLT_exp (-1074) 53) (hi t)) by auto.
+          replace (lo t) with (- (hi t - (lo a + lo b))) by lra. rewrite Rabs_Ropp.
+          apply error_le_half_ulp_round; [apply FLT_exp_valid; reflexivity|apply FLT_exp_monotone]. }
+        apply Rle_trans with (1 := U). pose proof (bpow_gt_0 radix2 (place (hi t))) as Pe. apply Rle_trans with (1 * bpow radix2 (place (hi t))); [lra|].
+        assert (Q : s + hi t = IZR (n + m) * bpow radix2 (place (hi t))) by (rewrite plus_IZR, Rmult_plus_distr_r; now rewrite <- E1, <- E2).
+        rewrite Q, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by lra. apply Rmult_le_compat_r; [lra|]. rewrite <- abs_IZR. apply IZR_le.
+        destruct (Z.eq_dec (n + m) 0) as [e|e]; [|lia]. rewrite e in Q. rewrite Rmult_0_l in Q. contradiction. }
+    unfold value. rewrite Z, Rminus_eq_0, Rabs_R0. apply Rmult_le_pos; [unfold u; lra|apply Rabs_pos].
+Qed.
+
+Lemma normal_apart : forall a b k, normal a -> normal b -> 1 <= k <= 3 -> Rabs (hi a) + Rabs (hi b) <= k * Rabs (hi a + hi b) ->
+  Rabs (value (add a b) - (value a + value b)) <= ((k + 2) * u ^ 2 + (4 * k + 3) * u ^ 3) * Rabs (hi a + hi b) /\
+  (1 - k * u) * Rabs (hi a + hi b) <= Rabs (value a + value b).
+Proof.
+  intros a b k Ha Hb Hk H. pose proof (normal_lo a Ha) as La. pose proof (normal_lo b Hb) as Lb.
+  assert (L : Rabs (lo a + lo b) <= k * u * Rabs (hi a + hi b)).
+  { apply Rle_trans with (1 := Rabs_triang _ _). apply Rle_trans with (u * (Rabs (hi a) + Rabs (hi b))); [lra|].
+    replace (k * u * Rabs (hi a + hi b)) with (u * (k * Rabs (hi a + hi b))) by ring. apply Rmult_le_compat_l; [unfold u; lra|auto]. }
+  split; [now apply add_apart|]. unfold value. replace (hi a + lo a + (hi b + lo b)) with (hi a + hi b + (lo a + lo b)) by ring.
+  assert (Rabs (hi a + hi b) - Rabs (lo a + lo b) <= Rabs (hi a + hi b + (lo a + lo b))) by (clear; split_Rabs; lra). lra.
+Qed.
+
+(* Operands of one sign, or where much cancels: the published constant. *)
+Theorem add_near_same : forall a b, normal a -> normal b -> 0 <= hi a * hi b ->
+  Rabs (value (add a b) - (value a + value b)) <= (3 * u ^ 2 + 13 * u ^ 3) * Rabs (value a + value b).
+Proof.
+  intros a b Ha Hb H. destruct (normal_apart a b 1 Ha Hb) as [B V]; [lra| |].
+  - rewrite Rmult_1_l. destruct (Req_dec (hi a) 0) as [Z|Z]; [rewrite Z, Rabs_R0, !Rplus_0_l; apply Rle_refl|].
+    assert (C : 0 <= hi a /\ 0 <= hi b \/ hi a <= 0 /\ hi b <= 0); [|clear - C; split_Rabs; lra].
+    destruct (Rle_or_lt 0 (hi a)); [left|right]; split; try lra; nra.
+  - pose proof (Rabs_pos (hi a + hi b)). apply Rle_trans with (1 := B). unfold u in *. lra.
+Qed.
+(* Any operands. *)
+Theorem add_near : forall a b, normal a -> normal b ->
+  Rabs (value (add a b) - (value a + value b)) <= (5 * u ^ 2 + 31 * u ^ 3) * Rabs (value a + value b).
+Proof.
+  intros a b Ha Hb. pose proof (Rabs_pos (value a + value b)) as V0.
+  destruct (Rle_or_lt (Rabs (hi a) + Rabs (hi b)) (3 * Rabs (hi a + hi b))) as [h|h].
+  - destruct (normal_apart a b 3 Ha Hb) as [B V]; [lra|auto|]. pose proof (Rabs_pos (hi a + hi b)).
+    apply Rle_trans with (1 := B). unfold u in *. lra.
+  - apply Rle_trans with ((3 * u ^ 2 + 7 * u ^ 3) * Rabs (value a + value b)); [|unfold u; lra].
+    apply add_close; auto. assert (K : Rabs (hi a) + Rabs (hi b) > 3 * Rabs (hi a + hi b)) by lra. clear - K. split_Rabs; lra.
+Qed.
