@@ -4,6 +4,7 @@
 # Run-time errors count, the wrapping of unsigned integers too, and smoke tests look for contradictory preconditions.  Provers get a limit of steps, the same
 # on every machine; the time limit is only a safety net.  golden/proofs/UNIT.tsv has the number of goals of each function: another number is a
 # failure, so that no goal gets lost; --accept writes it anew.  Of what was proved CACHE keeps the answers, so that a run that was stopped goes on.
+# The options of a unit add provers (-wp-prover A) or say which alone are asked (-wp-prover=A).
 # WPFLAGS: further options, such as -wp-fct NAME while working (then nothing is compared).
 set -u
 LC_ALL=C
@@ -40,10 +41,12 @@ prove() {
     [ -f "$helps" ] || helps=proofs/logic/logic.h
     [ "$left_out" = - ] && left_out= || left_out="-wp-skip-fct $left_out"
     [ "$options" = - ] && options=
+    provers=cvc4axf,z3axf
+    [ "${options#*-wp-prover=}" = "$options" ] || provers=none
     rm -f "$tmp/report.json"
     # shellcheck disable=SC2086
     (cd proofs && WHY3CONFIG=$PWD/why3.conf nice frama-c -machdep gcc_x86_64 -cpp-extra-args="-I../include -I../src -include $PWD/../$helps" -wp -wp-rte \
-        -warn-unsigned-overflow -wp-smoke-tests -wp-prover cvc4axf,z3axf -wp-par 2 -wp-steps 400000 -wp-timeout 120 -wp-cache update \
+        -warn-unsigned-overflow -wp-smoke-tests -wp-prover $provers -wp-par 2 -wp-steps 400000 -wp-timeout 120 -wp-cache update \
         -wp-cache-dir "$cache" $options $left_out -wp-report-json "$tmp/report.json" ${WPFLAGS-} "../$source") > "$tmp/log" 2>&1 < /dev/null
 }
 

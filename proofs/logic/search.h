@@ -42,7 +42,25 @@ et_status search_any_fn(double *value, const double *x, size_t n, void *context)
     ensures  started:  et_search_started(search);
 */
 et_status search_any_step(et_search *search, et_rng *rng);
+/* What a step keeps: the values do not rise, and what was no NaN is none.  Memory of m numbers at p is aside when writing to it changes none of that. */
+/*@ predicate search_aside(double *p, integer m, et_search *s) =
+        \separated(p + (0 .. m - 1), s) &&
+        (\forall integer k; 0 <= k < s->options.population ==> \separated(p + (0 .. m - 1), s->value + k)) &&
+        (\forall integer k; 0 <= k < s->n ==> \separated(p + (0 .. m - 1), s->x0 + k)) &&
+        (s->velocity != \null ==> \forall integer k; 0 <= k < s->options.population ==> \separated(p + (0 .. m - 1), s->remembered + k));
+    predicate search_values{P, Q}(et_search *s) =
+        \forall integer k; 0 <= k < \at(s->options.population, P) ==>
+            !\is_NaN(\at(s->value[k], Q)) && \le_double(\at(s->value[k], Q), \at(s->value[k], P));
+    predicate search_centre{Q}(et_search *s) = \forall integer k; 0 <= k < \at(s->n, Q) ==> \is_finite(\at(s->x0[k], Q));
+    predicate search_own{Q}(et_search *s) =
+        \at(s->velocity, Q) != \null ==> \forall integer k; 0 <= k < \at(s->options.population, Q) ==> !\is_NaN(\at(s->remembered[k], Q));
+*/
 /*@ ghost
+  /@ assigns  \nothing;
+     ensures  same:     \forall double x; !\is_NaN(x) ==> \le_double(x, x);
+     ensures  chain:    \forall double x, y, z; \le_double(x, y) && \le_double(y, z) ==> \le_double(x, z);
+     ensures  numbers:  \forall double x, y; \le_double(x, y) ==> !\is_NaN(x) && !\is_NaN(y); @/
+  static void fact_order(void) {}
   /@ requires group:    1 <= n && 1 <= group && n % group == 0;
      assigns  \nothing;
      ensures  genes:    (n / group) * group == n;

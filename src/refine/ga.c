@@ -5,6 +5,7 @@
 /*@ requires search: et_search_started(s) && et_search_rng(s, rng);
     assigns  *rng;
     ensures  range:  \result < s->options.population;
+    ensures  started: et_search_started(s) && et_search_rng(s, rng);
 */
 static size_t tournament(const et_search *s, et_rng *rng)
 {
@@ -66,12 +67,64 @@ static void mutate(double *a, const et_search *s, et_rng *rng)
     et_search_draw(a + k, s, k, group, s->options.box > 0.0 ? s->options.box : s->options.spread, rng);
 }
 
+/* The children of parents i and j, at the start of the workspace. */
+/*@ requires search: et_search_started(s) && et_search_rng(s, rng) && i < s->options.population && j < s->options.population;
+    assigns  s->trial[0 .. 3 * s->n - 1], *rng;
+*/
+static void breed(et_search *s, size_t i, size_t j, et_rng *rng)
+{
+    const size_t n = s->n, size = n * sizeof(double);
+    /*@ ghost fact_search(s); */
+    /*@ ghost fact_order(); */
+    double *a = s->trial, *b = a + n, *draw = b + n;
+    /*@ ghost fact_slot(i, s->options.population, n); */
+    /*@ ghost fact_slot(j, s->options.population, n); */
+    memcpy(a, s->x + i * n, size);
+    memcpy(b, s->x + j * n, size);
+    crossover(a, b, s, draw, rng);
+    mutate(a, s, rng);
+    mutate(b, s, rng);
+}
+
+/* The values of the children, behind them in the workspace. */
+/*@ requires search: et_search_started(s) && s->evaluations + 2 <= UINT64_MAX;
+    assigns  s->trial[3 * s->n .. 3 * s->n + 1], s->best[0 .. s->n - 1], s->best_value, s->evaluations;
+    ensures  count:  \result == ET_OK ==> s->evaluations == \old(s->evaluations) + 2;
+    ensures  started: et_search_started(s);
+    ensures  falling: \le_double(s->best_value, \old(s->best_value));
+    ensures  kept:   \forall integer k; 0 <= k < s->options.population ==> \le_double(s->value[k], \old(s->value[k]));
+*/
+static et_status evaluate(et_search *s)
+{
+    double *a = s->trial, *b = a + s->n, *value = b + 2 * s->n;
+    /*@ ghost fact_search(s); */
+    /*@ ghost fact_order(); */
+    /*@ assert best:    search_aside(s->best, s->n, s); */
+    /*@ assert value:   search_aside(value, 2, s); */
+    et_status status = et_search_eval(&value[0], s, a);
+    /*@ assert values:  search_values{Pre, Here}(s); */
+    /*@ assert centre:  search_centre{Here}(s); */
+    /*@ assert own:     search_own{Here}(s); */
+    /*@ assert arrays:  et_search_arrays(s); */
+    /*@ assert apart:   et_search_apart(s); */
+    if (status == ET_OK) status = et_search_eval(&value[1], s, b);
+    /*@ assert values:  search_values{Pre, Here}(s); */
+    /*@ assert centre:  search_centre{Here}(s); */
+    /*@ assert own:     search_own{Here}(s); */
+    /*@ assert arrays:  et_search_arrays(s); */
+    /*@ assert apart:   et_search_apart(s); */
+    /*@ assert options: et_search_options_ok(s); */
+    /*@ assert ordered: et_search_ordered(s); */
+    return status;
+}
+
 /*@ requires search: et_search_started(s) && parent < s->options.population;
     requires child:  \valid_read(child + (0 .. s->n - 1));
     requires apart:  \separated(child + (0 .. s->n - 1), s, s->x + (0 .. s->options.population * s->n - 1),
                                 s->value + (0 .. s->options.population - 1));
     assigns  s->x[0 .. s->options.population * s->n - 1], s->value[parent];
-    ensures  better: \le_double(s->value[parent], \old(s->value[parent]));
+    ensures  started: et_search_started(s);
+    ensures  better: \forall integer k; 0 <= k < s->options.population ==> \le_double(s->value[k], \old(s->value[k]));
 */
 static void replace(et_search *s, size_t parent, const double *child, double value)
 {
@@ -84,22 +137,38 @@ static void replace(et_search *s, size_t parent, const double *child, double val
 
 et_status et_ga_step(et_search *search, et_rng *rng)
 {
-    const size_t n = search->n, size = n * sizeof(double);
-    /*@ ghost fact_search(search); */
-    double *a = search->trial, *b = a + n, *draw = b + n, fa = 0.0, fb = 0.0;
     const size_t i = tournament(search, rng), j = tournament(search, rng);
-    /*@ ghost fact_slot(i, search->options.population, n); */
-    /*@ ghost fact_slot(j, search->options.population, n); */
-    memcpy(a, search->x + i * n, size);
-    memcpy(b, search->x + j * n, size);
-    crossover(a, b, search, draw, rng);
-    mutate(a, search, rng);
-    mutate(b, search, rng);
-    et_status status = et_search_eval(&fa, search, a);
-    if (status == ET_OK) status = et_search_eval(&fb, search, b);
+    /*@ ghost fact_search(search); */
+    /*@ ghost fact_order(); */
+    /*@ assert work:    search_aside(search->trial, 3 * search->n, search); */
+    breed(search, i, j, rng);
+    /*@ assert values:  search_values{Pre, Here}(search); */
+    /*@ assert centre:  search_centre{Here}(search); */
+    /*@ assert own:     search_own{Here}(search); */
+    /*@ assert arrays:  et_search_arrays(search); */
+    /*@ assert apart:   et_search_apart(search); */
+    /*@ assert options: et_search_options_ok(search); */
+    /*@ assert ordered: et_search_ordered(search); */
+    /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
+    const et_status status = evaluate(search);
+    /*@ assert values:  search_values{Pre, Here}(search); */
+    /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
     if (status != ET_OK) return status;
-    replace(search, i, a, fa);
+    const double *a = search->trial, *b = a + search->n, *value = b + 2 * search->n;
+    /*@ ghost fact_search(search); */
+    const double fb = value[1];
+    replace(search, i, a, value[0]);
+    /*@ assert values:  search_values{Pre, Here}(search); */
+    /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
     replace(search, j, b, fb);
+    /*@ assert values:  search_values{Pre, Here}(search); */
+    /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
     search->generation++;
+    /*@ assert values:  search_values{Pre, Here}(search); */
+    /*@ assert own:     search_own{Here}(search); */
+    /*@ assert arrays:  et_search_arrays(search); */
+    /*@ assert apart:   et_search_apart(search); */
+    /*@ assert options: et_search_options_ok(search); */
+    /*@ assert ordered: et_search_ordered(search); */
     return ET_OK;
 }
