@@ -3,7 +3,7 @@
    include/etalon/base/dd.h.  u = 2^-53.
    What stands between QUOTE and END is the C code, word for word: proofs/coq/quote.sh checks it. *)
 From Coq Require Import Reals Lra Lia ZArith Psatz.
-From Flocq Require Import Core Relative Plus_error Sterbenz Div_sqrt_error Pff.Pff2Flocq.
+From Flocq Require Import Core Relative Mult_error Plus_error Sterbenz Div_sqrt_error Pff.Pff2Flocq.
 From Etalon Require Import Binary64 DoubleDouble.
 Open Scope R_scope.
 #[local] Instance precision_bounds : Prec_gt_0 53.
@@ -33,7 +33,8 @@ Proof.
 Qed.
 Lemma round_normal : forall x k, x = 0 \/ least <= Rabs x -> Rabs x <= k -> Rabs (rnd64 x - x) <= u * k.
 Proof.
-  intros x k Hl H. rewrite rnd64_normal by auto. apply Rle_trans with (1 := rnd_error x). rewrite u_is_u64. apply Rmult_le_compat_l; [unfold u; lra|auto].
+  intros x k Hl H. rewrite rnd64_normal by auto. apply Rle_trans with (1 := rnd_error x). rewrite u_is_u64.
+  apply Rmult_le_compat_l; [unfold u; lra|auto].
 Qed.
 Lemma round_sum : forall x y k, double x -> double y -> Rabs (x + y) <= k -> Rabs (rnd64 (x + y) - (x + y)) <= u * k.
 Proof.
@@ -238,7 +239,8 @@ Proof.
   pose proof (two_sum_lo _ _ Ah Bh) as Ls. fold S in Ls. pose proof (two_sum_lo _ _ Al Bl) as Lt.
   assert (KS : 0 <= k * S <= 3 * S) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   replace (k * u * S) with (u * (k * S)) in H by ring.
-  replace (((k + 2) * u ^ 2 + (4 * k + 3) * u ^ 3) * S) with ((u ^ 2 + 4 * u ^ 3) * (k * S) + (2 * u ^ 2 + 3 * u ^ 3) * S) by ring. set (W := k * S) in *.
+  replace (((k + 2) * u ^ 2 + (4 * k + 3) * u ^ 3) * S) with ((u ^ 2 + 4 * u ^ 3) * (k * S) + (2 * u ^ 2 + 3 * u ^ 3) * S) by ring.
+  set (W := k * S) in *.
   unfold add. set (s := two_sum (hi a) (hi b)) in *. set (t := two_sum (lo a) (lo b)) in *.
   assert (Dsh : double (hi s)) by apply rnd64_double. assert (Dsl : double (lo s)) by apply rnd64_double.
   assert (Dth : double (hi t)) by apply rnd64_double. assert (Dtl : double (lo t)) by apply rnd64_double.
@@ -253,7 +255,8 @@ Proof.
   { replace (lo (fast_two_sum (hi s) c)) with (- (hi (fast_two_sum (hi s) c) - (hi s + c))) by (rewrite <- Ev; ring). rewrite Rabs_Ropp.
     apply round_sum; auto. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
   set (v := fast_two_sum (hi s) c) in *. assert (Dvh : double (hi v)) by apply rnd64_double. assert (Dvl : double (lo v)) by apply rnd64_double.
-  assert (C2 : Rabs (lo t + lo v) <= u * (u * W + (1 + u) * S + (1 + u) * (u * S + u * W + u * u * W))) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (C2 : Rabs (lo t + lo v) <= u * (u * W + (1 + u) * S + (1 + u) * (u * S + u * W + u * u * W))) by (apply Rabs_le; bounds; unfold u in *;
+  lra).
   assert (R2 := round_sum _ _ _ Dtl Dvl C2). set (w := rnd64 (lo t + lo v)) in *. assert (Dw : double w) by apply rnd64_double.
   unfold value at 1. rewrite fast_two_sum_exact; auto.
   2: { assert (Rabs w <= 2 * u * S) by (apply Rabs_le; bounds; unfold u in *; lra).
@@ -279,7 +282,8 @@ Qed.
 Lemma mag_double : forall x y, x <> 0 -> Rabs x <= 2 * Rabs y -> (mag radix2 x <= mag radix2 y + 1)%Z.
 Proof.
   intros x y Z H. assert (y <> 0) by (intros ->; rewrite Rabs_R0 in H; apply Rabs_pos_lt in Z; lra).
-  rewrite <- (mag_mult_bpow radix2 y 1) by auto. apply mag_le_abs; auto. change (bpow radix2 1) with 2. rewrite Rabs_mult, (Rabs_pos_eq 2) by lra. lra.
+  rewrite <- (mag_mult_bpow radix2 y 1) by auto. apply mag_le_abs; auto. change (bpow radix2 1) with 2. rewrite Rabs_mult, (Rabs_pos_eq 2) by lra.
+  lra.
 Qed.
 (* The rounded sum of the lower parts has no bit to the right of which the upper parts have none. *)
 Lemma lower_place : forall a b, normal a -> normal b -> hi a <> 0 -> hi b <> 0 -> Rabs (hi a) <= 2 * Rabs (hi b) -> Rabs (hi b) <= 2 * Rabs (hi a) ->
@@ -306,14 +310,16 @@ Proof.
   pose proof (two_sum_exact _ _ Ah Bh) as Es. assert (Hs : hi (two_sum (hi a) (hi b)) = hi a + hi b) by (now apply round_id).
   assert (Ls : lo (two_sum (hi a) (hi b)) = 0) by lra. pose proof (two_sum_exact _ _ Al Bl) as Et.
   assert (Lt : Rabs (lo (two_sum (lo a) (lo b))) <= u * Rabs (hi (two_sum (lo a) (lo b)))).
-  { replace (lo (two_sum (lo a) (lo b))) with (- (hi (two_sum (lo a) (lo b)) - (lo a + lo b))) by lra. rewrite Rabs_Ropp. now apply round_sum_result. }
+  { replace (lo (two_sum (lo a) (lo b))) with (- (hi (two_sum (lo a) (lo b)) - (lo a + lo b))) by lra. rewrite Rabs_Ropp.
+    now apply round_sum_result. }
   assert (P : hi (two_sum (lo a) (lo b)) <> 0 -> hi a = 0 \/
     (place (hi (two_sum (lo a) (lo b))) <= place (hi a) /\ place (hi (two_sum (lo a) (lo b))) <= place (hi b))%Z).
   { intros Zt. destruct (Req_dec (hi a) 0) as [Za|Za]; [now left|right]. apply lower_place; auto; try (intros Zb; lra); split_Rabs; lra. }
   unfold add. rewrite Ls, Hs. set (t := two_sum (lo a) (lo b)) in *. set (s := hi a + hi b) in *. rewrite Rplus_0_l.
   assert (Dth : double (hi t)) by apply rnd64_double. assert (Dtl : double (lo t)) by apply rnd64_double. rewrite (round_id (hi t)) by auto.
   assert (V : value a + value b = s + hi t + lo t) by (unfold value, s; lra). rewrite V.
-  assert (G : hi t <> 0 -> hi a <> 0 -> exists n m, s = IZR n * bpow radix2 (place (hi t)) /\ hi t = IZR m * bpow radix2 (place (hi t)) /\ (Z.abs m < 2 ^ 53)%Z).
+  assert (G : hi t <> 0 -> hi a <> 0 -> exists n m, s = IZR n * bpow radix2 (place (hi t)) /\ hi t = IZR m * bpow radix2 (place (hi t)) /\
+  (Z.abs m < 2 ^ 53)%Z).
   { intros Zt Za. destruct (P Zt) as [?|[P1 P2]]; [contradiction|].
     destruct (on_grid (hi a) _ Ah P1) as [n1 E1]. destruct (on_grid (hi b) _ Bh P2) as [n2 E2].
     exists (n1 + n2)%Z, (Ztrunc (scaled_mantissa radix2 (FLT_exp (-1074) 53) (hi t))). split; [|split].
@@ -363,7 +369,8 @@ Proof.
         { rewrite <- (ulp_neq_0 radix2 (FLT_exp (-1074) 53) (hi t)) by auto.
           replace (lo t) with (- (hi t - (lo a + lo b))) by lra. rewrite Rabs_Ropp.
           apply error_le_half_ulp_round; [apply FLT_exp_valid; reflexivity|apply FLT_exp_monotone]. }
-        apply Rle_trans with (1 := U). pose proof (bpow_gt_0 radix2 (place (hi t))) as Pe. apply Rle_trans with (1 * bpow radix2 (place (hi t))); [lra|].
+        apply Rle_trans with (1 := U). pose proof (bpow_gt_0 radix2 (place (hi t))) as Pe.
+        apply Rle_trans with (1 * bpow radix2 (place (hi t))); [lra|].
         assert (Q : s + hi t = IZR (n + m) * bpow radix2 (place (hi t))) by (rewrite plus_IZR, Rmult_plus_distr_r; now rewrite <- E1, <- E2).
         rewrite Q, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by lra. apply Rmult_le_compat_r; [lra|]. rewrite <- abs_IZR. apply IZR_le.
         destruct (Z.eq_dec (n + m) 0) as [e|e]; [|lia]. rewrite e in Q. rewrite Rmult_0_l in Q. contradiction. }
@@ -402,4 +409,274 @@ Proof.
     apply Rle_trans with (1 := B). unfold u in *. lra.
   - apply Rle_trans with ((3 * u ^ 2 + 7 * u ^ 3) * Rabs (value a + value b)); [|unfold u; lra].
     apply add_close; auto. assert (K : Rabs (hi a) + Rabs (hi b) > 3 * Rabs (hi a + hi b)) by lra. clear - K. split_Rabs; lra.
+Qed.
+
+(* ---- a double-double times a double: JMP 7 ---- *)
+
+(* QUOTE src/base/dd_parts.h
+    const et_dd p = dd_two_product(a.hi, b), t = dd_fast_two_sum(p.hi, a.lo * b);
+
+    return dd_fast_two_sum(t.hi, t.lo + p.lo);
+END *)
+Definition mul_double (a : dd) (b : R) : dd :=
+  let p := two_product (hi a) b in let t := fast_two_sum (hi p) (rnd64 (lo a * b)) in fast_two_sum (hi t) (rnd64 (lo t + lo p)).
+
+Lemma fast_two_sum_lo : forall a b k, double a -> double b -> hi (fast_two_sum a b) + lo (fast_two_sum a b) = a + b -> Rabs (a + b) <= k ->
+  Rabs (lo (fast_two_sum a b)) <= u * k.
+Proof.
+  intros a b k Ha Hb E H. replace (lo (fast_two_sum a b)) with (- (hi (fast_two_sum a b) - (a + b))) by lra. rewrite Rabs_Ropp.
+  now apply round_sum.
+Qed.
+
+Lemma mul_double_parts : forall a b, normal a -> double b -> bpow radix2 (-905) <= Rabs (hi a * b) ->
+  Rabs (value (mul_double a b) - value a * b) <= (3 * u ^ 2 + 5 * u ^ 3) * Rabs (hi a * b) /\
+  Rabs (lo (mul_double a b)) <= (u + 3 * u ^ 2) * Rabs (hi a * b).
+Proof.
+  intros a b Ha Db H. pose proof (normal_lo a Ha) as La. destruct Ha as [Dah Dal _]. set (M := Rabs (hi a * b)) in *.
+  pose proof (two_product_exact (hi a) b Dah Db ltac:(right; apply Rle_trans with (2 := H); apply bpow_le; lia)) as E.
+  pose proof (eta_small M H) as T. assert (M0 : 0 < M) by (apply Rlt_le_trans with (2 := H); apply bpow_gt_0).
+  unfold mul_double. set (p := two_product (hi a) b) in *.
+  assert (Dp : double (hi p)) by apply rnd64_double. assert (Dq : double (lo p)) by apply rnd64_double.
+  assert (P : Rabs (hi p - hi a * b) <= u * M).
+  { apply round_normal; [right|unfold M; lra]. apply Rle_trans with (2 := H). unfold least. apply bpow_le. lia. }
+  assert (T1 : Rabs (lo a * b) <= u * M).
+  { apply Rle_trans with (1 := product_bound _ _ _ _ La (Rle_refl _)). unfold M. rewrite (Rabs_mult (hi a)). apply Req_le. ring. }
+  assert (R1 := round_any _ _ T1). set (c := rnd64 (lo a * b)) in *. assert (Dc : double c) by apply rnd64_double.
+  assert (BM : - M <= hi a * b <= M) by (apply Rabs_in; unfold M; lra).
+  assert (Bp : (1 - u) * M <= Rabs (hi p)).
+  { assert (M - Rabs (hi p) <= u * M); [|lra]. apply Rle_trans with (2 := P). unfold M. rewrite Rabs_minus_sym. apply Rabs_triang_inv. }
+  assert (Bc : Rabs c <= (u + 2 * u * u) * M) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (Et := fast_two_sum_exact (hi p) c Dp Dc ltac:(unfold u in *; lra)).
+  assert (S1 : Rabs (hi p + c) <= (1 + 3 * u) * M) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (Lt := fast_two_sum_lo _ _ _ Dp Dc Et S1). set (t := fast_two_sum (hi p) c) in *.
+  assert (Dth : double (hi t)) by apply rnd64_double. assert (Dtl : double (lo t)) by apply rnd64_double.
+  assert (S2 : Rabs (lo t + lo p) <= (2 * u + 3 * u * u) * M) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (R2 := round_sum _ _ _ Dtl Dq S2). set (w := rnd64 (lo t + lo p)) in *. assert (Dw : double w) by apply rnd64_double.
+  assert (Bt : (1 - 4 * u) * M <= Rabs (hi t)).
+  { assert (Rabs (hi p) - Rabs c - Rabs (lo t) <= Rabs (hi t)); [|unfold u in *; lra]. replace (hi p) with (hi t + lo t - c) by lra.
+    clear. split_Rabs; lra. }
+  assert (Bw : Rabs w <= 3 * u * M) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (Er := fast_two_sum_exact (hi t) w Dth Dw ltac:(unfold u in *; lra)). split.
+  - unfold value. rewrite Er. apply Rabs_le. bounds. replace ((hi a + lo a) * b) with (hi p + lo p + lo a * b) by (rewrite E; ring).
+    unfold u in *. lra.
+  - apply Rle_trans with (u * ((1 + 3 * u) * M)); [|unfold u; lra]. apply fast_two_sum_lo; auto. apply Rabs_le. bounds. unfold u in *. lra.
+Qed.
+
+Theorem mul_double_near : forall a b, normal a -> double b -> bpow radix2 (-900) <= Rabs (hi a * b) ->
+  Rabs (value (mul_double a b) - value a * b) <= (3 * u ^ 2 + 9 * u ^ 3) * Rabs (value a * b).
+Proof.
+  intros a b Ha Db H. destruct (mul_double_parts a b Ha Db) as [B _]; [apply Rle_trans with (2 := H); apply bpow_le; lia|].
+  pose proof (Rabs_pos (hi a * b)). assert (V : (1 - u) * Rabs (hi a * b) <= Rabs (value a * b)).
+  { rewrite !Rabs_mult, <- Rmult_assoc. apply Rmult_le_compat_r; [apply Rabs_pos|]. pose proof (normal_lo a Ha) as L. unfold value.
+    assert (Rabs (hi a) - Rabs (lo a) <= Rabs (hi a + lo a)) by (clear; split_Rabs; lra). lra. }
+  apply Rle_trans with (1 := B). unfold u in *. lra.
+Qed.
+
+(* ---- the quotient: JMP 17 ---- *)
+
+(* QUOTE src/base/dd_parts.h
+    const double q = a.hi / b.hi;
+    const et_dd r = dd_mul_double(b, q);
+
+    return dd_fast_two_sum(q, ((a.hi - r.hi) + (a.lo - r.lo)) / b.hi);
+END
+   QUOTE src/base/dd.c
+    return dd_div(a, b);
+END *)
+Definition div (a b : dd) : dd :=
+  let q := rnd64 (hi a / hi b) in let r := mul_double b q in
+  fast_two_sum q (rnd64 (rnd64 (rnd64 (hi a - hi r) + rnd64 (lo a - lo r)) / hi b)).
+
+Lemma value_big : forall a, normal a -> (1 - u) * Rabs (hi a) <= Rabs (value a).
+Proof.
+  intros a Ha. pose proof (normal_lo a Ha) as L. unfold value.
+  assert (Rabs (hi a) - Rabs (lo a) <= Rabs (hi a + lo a)) by (clear; split_Rabs; lra). lra.
+Qed.
+
+Theorem div_near : forall a b, normal a -> normal b -> hi a = 0 \/ bpow radix2 (-900) <= Rabs (hi a) -> bpow radix2 (-900) <= Rabs (hi b) ->
+  hi a = 0 \/ bpow radix2 (-900) * Rabs (hi b) <= Rabs (hi a) ->
+  Rabs (value (div a b) - value a / value b) <= (14 * u ^ 2 + 90 * u ^ 3) * Rabs (value a / value b).
+Proof.
+  intros a b Ha Hb Ra Rb Rq. pose proof (normal_lo a Ha) as La. pose proof (normal_lo b Hb) as Lb.
+  assert (Pb : 0 < Rabs (hi b)) by (apply Rlt_le_trans with (2 := Rb); apply bpow_gt_0).
+  assert (Zb : hi b <> 0) by (intros E; rewrite E, Rabs_R0 in Pb; lra).
+  pose proof (value_big b Hb) as Vb. assert (Zv : value b <> 0).
+  { intros E. rewrite E, Rabs_R0 in Vb. unfold u in Vb. lra. }
+  destruct (Req_dec (hi a) 0) as [Za|Za].
+  { assert (E : value (div a b) = 0).
+    { unfold value, div, mul_double. rewrite Za, (normal_0 a Ha Za). unfold Rdiv. rewrite Rmult_0_l, round_0, two_product_0_r.
+      unfold fast_two_sum. cbn [hi lo]. zeros. ring. }
+    rewrite E. unfold value. rewrite Za, (normal_0 a Ha Za). unfold Rdiv. rewrite Rplus_0_l, Rmult_0_l, Rminus_0_r, Rabs_R0. lra. }
+  destruct Ra as [?|Ra]; [contradiction|]. destruct Rq as [?|Rq]; [contradiction|].
+  assert (Dah := hi_double a Ha). assert (Dal := lo_double a Ha). assert (Dbh := hi_double b Hb). assert (Dbl := lo_double b Hb).
+  set (N := Rabs (hi a)) in *. set (K := Rabs (hi a / hi b)).
+  assert (EK : K * Rabs (hi b) = N) by (unfold K, N; rewrite <- Rabs_mult; f_equal; field; auto).
+  assert (BK : bpow radix2 (-900) <= K) by (apply Rmult_le_reg_r with (1 := Pb); rewrite EK; exact Rq).
+  assert (Q : Rabs (rnd64 (hi a / hi b) - hi a / hi b) <= u * K).
+  { apply round_normal; [right|unfold K; lra]. apply Rle_trans with (2 := BK). unfold least. apply bpow_le. lia. }
+  unfold div. set (q := rnd64 (hi a / hi b)) in *. assert (Dq : double q) by apply rnd64_double.
+  assert (Bq : Rabs (hi b * q - hi a) <= u * N).
+  { replace (hi b * q - hi a) with ((q - hi a / hi b) * hi b) by (field; auto). rewrite Rabs_mult, <- EK.
+    rewrite <- Rmult_assoc. apply Rmult_le_compat_r; [lra|exact Q]. }
+  assert (BN : - N <= hi a <= N) by (apply Rabs_in; unfold N; lra).
+  set (M := Rabs (hi b * q)).
+  assert (BM : (1 - u) * N <= M <= (1 + u) * N).
+  { revert Bq. unfold M, N. clear. intros. split_Rabs; lra. }
+  assert (N0 : 0 < N) by (apply Rlt_le_trans with (2 := Ra); apply bpow_gt_0).
+  assert (HM : bpow radix2 (-905) <= M).
+  { apply Rle_trans with (/ 32 * bpow radix2 (-900)); [|unfold u in *; lra]. change (-905)%Z with (-5 + -900)%Z. rewrite bpow_plus.
+    apply Rmult_le_compat_r; [apply bpow_ge_0|simpl; lra]. }
+  destruct (mul_double_parts b q Hb Dq HM) as [E1 E2]. fold M in E1, E2. set (r := mul_double b q) in *.
+  assert (Drh : double (hi r)) by apply rnd64_double. assert (Drl : double (lo r)) by apply rnd64_double.
+  assert (T1 : Rabs (lo b * q) <= u * M).
+  { apply Rle_trans with (1 := product_bound _ _ _ _ Lb (Rle_refl _)). unfold M. rewrite (Rabs_mult (hi b)). apply Req_le. ring. }
+  unfold value in E1. replace ((hi b + lo b) * q) with (hi b * q + lo b * q) in E1 by ring.
+  assert (Bd : Rabs (hi a - hi r) <= / 4 * N).
+  { apply Rabs_le. bounds. unfold u in *. lra. }
+  assert (Dd : double (hi a - hi r)).
+  { replace (hi a - hi r) with (hi a + - hi r) by ring. apply sterbenz_either; auto; [now apply double_opp|].
+    revert Bd. unfold N. clear. intros. split_Rabs; lra. }
+  rewrite (round_id (hi a - hi r)) by auto.
+  assert (S1 : Rabs (lo a - lo r) <= (2 * u + 6 * u ^ 2) * N) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (R1 := round_sum (lo a) (- lo r) _ Dal (double_opp _ Drl) S1). fold (lo a - lo r) in R1.
+  set (l := rnd64 (lo a - lo r)) in *. assert (Dl : double l) by apply rnd64_double.
+  assert (S2 : Rabs (hi a - hi r + l) <= (3 * u + 8 * u ^ 2) * N) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (R2 := round_sum (hi a - hi r) l _ Dd Dl S2). set (d := rnd64 (hi a - hi r + l)) in *.
+  assert (S3 : Rabs d <= (3 * u + 12 * u ^ 2) * N) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (S4 : Rabs (d / hi b) <= (3 * u + 12 * u ^ 2) * K).
+  { apply Rmult_le_reg_r with (1 := Pb). rewrite <- Rabs_mult. replace (d / hi b * hi b) with d by (field; auto). rewrite Rmult_assoc, EK. exact S3. }
+  assert (R3 := round_any _ _ S4). pose proof (eta_small K ltac:(apply Rle_trans with (2 := BK); apply bpow_le; lia)) as T.
+  set (t := rnd64 (d / hi b)) in *. assert (Dt : double t) by apply rnd64_double.
+  assert (K0 : 0 < K) by (apply Rlt_le_trans with (2 := BK); apply bpow_gt_0).
+  assert (Bt : Rabs (t - d / hi b) <= (3 * u ^ 2 + 13 * u ^ 3) * K) by (apply Rle_trans with (1 := R3); unfold u in *; lra).
+  assert (Bt' : Rabs t <= 4 * u * K) by (apply Rabs_le; bounds; unfold u in *; lra).
+  unfold value at 1. rewrite fast_two_sum_exact; auto.
+  2: { apply Rle_trans with (1 := Bt'). assert (K - u * K <= Rabs q) by (revert Q; unfold K; clear; intros; split_Rabs; lra). unfold u in *. lra. }
+  assert (B1 : Rabs (t * hi b - d) <= (3 * u ^ 2 + 13 * u ^ 3) * N).
+  { replace (t * hi b - d) with ((t - d / hi b) * hi b) by (field; auto). rewrite Rabs_mult, <- EK, <- Rmult_assoc.
+    apply Rmult_le_compat_r; [lra|exact Bt]. }
+  assert (B2 : Rabs (t * lo b) <= u * ((3 * u + 16 * u ^ 2) * N)).
+  { assert (W : Rabs (t * hi b) <= (3 * u + 16 * u ^ 2) * N) by (apply Rabs_le; bounds; unfold u in *; lra).
+    apply Rle_trans with (u * Rabs (t * hi b)); [|apply Rmult_le_compat_l; [unfold u; lra|exact W]].
+    rewrite !Rabs_mult. rewrite <- Rmult_assoc, (Rmult_comm u), Rmult_assoc. apply Rmult_le_compat_l; [apply Rabs_pos|exact Lb]. }
+  assert (F : Rabs ((q + t) * value b - value a) <= (14 * u ^ 2 + 60 * u ^ 3) * N).
+  { unfold value. replace ((q + t) * (hi b + lo b) - (hi a + lo a)) with (hi b * q + lo b * q + t * hi b + t * lo b - (hi a + lo a)) by ring.
+    apply Rabs_le. bounds. unfold u in *. lra. }
+  pose proof (value_big a Ha) as Va. fold N in Va.
+  replace (q + t - value a / value b) with (((q + t) * value b - value a) / value b) by (field; auto).
+  unfold Rdiv. rewrite !Rabs_mult, <- Rmult_assoc. apply Rmult_le_compat_r; [apply Rabs_pos|].
+  apply Rle_trans with (1 := F). unfold u in *. lra.
+Qed.
+Corollary div_near_published : forall a b, normal a -> normal b -> hi a = 0 \/ bpow radix2 (-900) <= Rabs (hi a) ->
+bpow radix2 (-900) <= Rabs (hi b) ->
+  hi a = 0 \/ bpow radix2 (-900) * Rabs (hi b) <= Rabs (hi a) ->
+  Rabs (value (div a b) - value a / value b) <= (15 * u ^ 2 + 56 * u ^ 3) * Rabs (value a / value b).
+Proof.
+  intros a b Ha Hb Ra Rb Rq. apply Rle_trans with (1 := div_near a b Ha Hb Ra Rb Rq). apply Rmult_le_compat_r; [apply Rabs_pos|unfold u; lra].
+Qed.
+
+(* ---- the square root: SQRTDWtoDW ---- *)
+
+(* QUOTE src/base/dd_parts.h
+    const double s = sqrt(a.hi);
+    const et_dd p = dd_two_product(s, s);
+
+    if (a.hi == 0)
+        return (et_dd){s, 0};
+    return dd_fast_two_sum(s, (((a.hi - p.hi) - p.lo) + a.lo) / (2 * s));
+END
+   QUOTE src/base/dd.c
+    return dd_sqrt(a);
+END *)
+Definition root (a : dd) : dd :=
+  let s := rnd64 (sqrt (hi a)) in let p := two_product s s in
+  if Req_EM_T (hi a) 0 then DD s 0
+  else fast_two_sum s (rnd64 (rnd64 (rnd64 (rnd64 (hi a - hi p) - lo p) + lo a) / rnd64 (2 * s))).
+
+Theorem root_0 : forall a, hi a = 0 -> value (root a) = 0.
+Proof. intros a H. unfold root, value. destruct (Req_EM_T (hi a) 0); [|contradiction]. cbn [hi lo]. rewrite H, sqrt_0, round_0. ring. Qed.
+
+Theorem root_near : forall a, normal a -> bpow radix2 (-900) <= hi a ->
+  Rabs (value (root a) * value (root a) - value a) <= (33 / 4 * u ^ 2 + 80 * u ^ 3) * value a.
+Proof.
+  intros a Ha Ra. pose proof (normal_lo a Ha) as La. assert (Dh := hi_double a Ha). assert (Dl := lo_double a Ha).
+  set (N := hi a) in *. assert (N0 : 0 < N) by (apply Rlt_le_trans with (2 := Ra); apply bpow_gt_0). rewrite (Rabs_pos_eq N) in La by lra.
+  unfold root. fold N. destruct (Req_EM_T N 0) as [?|_]; [lra|].
+  set (z := sqrt N). assert (Ez : z * z = N) by (apply sqrt_sqrt; lra).
+  assert (Bz : bpow radix2 (-450) <= z).
+  { unfold z. rewrite <- (sqrt_Rsqr (bpow radix2 (-450))) by apply bpow_ge_0. apply sqrt_le_1_alt. unfold Rsqr. rewrite <- bpow_plus. exact Ra. }
+  assert (z0 : 0 < z) by (apply Rlt_le_trans with (2 := Bz); apply bpow_gt_0).
+  assert (Nz : least <= Rabs z) by (rewrite Rabs_pos_eq by lra; apply Rle_trans with (2 := Bz); apply bpow_le; lia).
+  assert (Rs : Rabs (rnd64 z - z) <= u * z) by (apply round_normal; [now right|rewrite Rabs_pos_eq; lra]).
+  assert (Fs : generic_format radix2 (FLX_exp 53) (N - rnd64 z * rnd64 z)).
+  { rewrite (rnd64_normal z) by (now right). refine (sqrt_error_FLX_N radix2 53 (fun n => negb (Z.even n)) eq_refl N _).
+    exact (generic_format_FLX_FLT _ _ _ _ Dh). }
+  set (s := rnd64 z) in *. assert (Ds : double s) by apply rnd64_double. apply Rabs_in in Rs.
+  assert (s0 : (1 - u) * z <= s <= (1 + u) * z) by lra.
+  assert (sp : 0 < s) by (unfold u in *; lra).
+  assert (Bs : (1 - 2 * u) * N <= s * s <= (1 + 2 * u + u ^ 2) * N).
+  { rewrite <- Ez. split.
+    - apply Rle_trans with (((1 - u) * z) * ((1 - u) * z)); [|].
+      1: replace ((1 - u) * z * ((1 - u) * z)) with ((1 - u) ^ 2 * (z * z)) by ring; apply Rmult_le_compat_r; [apply Rle_0_sqr|unfold u; lra].
+      apply Rmult_le_compat; unfold u in *; lra.
+    - apply Rle_trans with (((1 + u) * z) * ((1 + u) * z)); [apply Rmult_le_compat; lra|]. right. ring. }
+  assert (E : hi (two_product s s) + lo (two_product s s) = s * s).
+  { apply two_product_exact; auto. right. rewrite Rabs_pos_eq by (apply Rle_0_sqr).
+    apply Rle_trans with (/ 2 * bpow radix2 (-900)); [|unfold u in *; lra]. change (/ 2) with (bpow radix2 (-1)). rewrite <- bpow_plus.
+    apply bpow_le. lia. }
+  assert (P : Rabs (hi (two_product s s) - s * s) <= u * ((1 + 3 * u) * N)).
+  { apply round_normal.
+    - right. rewrite Rabs_pos_eq by (apply Rle_0_sqr). apply Rle_trans with (/ 2 * bpow radix2 (-900)); [|unfold u in *; lra].
+      change (/ 2) with (bpow radix2 (-1)). rewrite <- bpow_plus. apply bpow_le. lia.
+    - rewrite Rabs_pos_eq by (apply Rle_0_sqr). unfold u in *. lra. }
+  set (p := two_product s s) in *. assert (Dp : double (hi p)) by apply rnd64_double. assert (Dq : double (lo p)) by apply rnd64_double.
+  assert (Dd : double (N - hi p)).
+  { replace (N - hi p) with (N + - hi p) by ring. apply sterbenz_either; auto; [now apply double_opp|].
+    right. apply Rabs_in in P. unfold u in *. lra. }
+  rewrite (round_id (N - hi p)) by auto.
+  assert (Er : rnd64 (N - hi p - lo p) = N - s * s).
+  { unfold Rminus at 1. rewrite rnd64_sum by (auto; now apply double_opp).
+    replace (N - hi p + - lo p) with (N - s * s) by lra. apply round_generic; [apply valid_rnd_N|exact Fs]. }
+  assert (Drho : double (N - s * s)) by (rewrite <- Er; apply rnd64_double). rewrite Er.
+  assert (S1 : Rabs (N - s * s + lo a) <= (3 * u + u ^ 2) * N) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (R1 := round_sum _ _ _ Drho Dl S1). set (d := rnd64 (N - s * s + lo a)) in *.
+  assert (S2 : Rabs d <= (3 * u + 5 * u ^ 2) * N) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (E2 : rnd64 (2 * s) = 2 * s).
+  { apply round_id. replace (2 * s) with (s * bpow radix2 1) by (change (bpow radix2 1) with 2; ring).
+    apply mult_bpow_pos_exact_FLT; [exact Ds|lia]. }
+  rewrite E2. set (K := N / (2 * s)). assert (EK : K * (2 * s) = N) by (unfold K; field; lra).
+  assert (BK : bpow radix2 (-905) <= K).
+  { apply Rle_trans with (s / 4).
+    - apply Rle_trans with (/ 8 * bpow radix2 (-450)); [|unfold u in *; lra].
+      change (/ 8) with (bpow radix2 (-3)). rewrite <- bpow_plus. apply bpow_le. lia.
+    - apply Rmult_le_reg_r with (2 * s); [lra|]. rewrite EK. unfold u in *. lra. }
+  assert (S3 : Rabs (d / (2 * s)) <= (3 * u + 5 * u ^ 2) * K).
+  { unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ _)) by (apply Rlt_le, Rinv_0_lt_compat; lra).
+    unfold K, Rdiv. rewrite <- Rmult_assoc. apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; lra|exact S2]. }
+  assert (R3 := round_any _ _ S3). pose proof (eta_small K BK) as T.
+  set (t := rnd64 (d / (2 * s))) in *. assert (Dt : double t) by apply rnd64_double.
+  assert (K0 : 0 < K) by (apply Rlt_le_trans with (2 := BK); apply bpow_gt_0).
+  assert (R4 : Rabs (t - d / (2 * s)) <= (3 * u ^ 2 + 6 * u ^ 3) * K) by (apply Rle_trans with (1 := R3); unfold u in *; lra).
+  assert (Bt : Rabs t <= 4 * u * K) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (KS : K <= 2 * s) by (apply Rmult_le_reg_r with (2 * s); [lra|]; rewrite EK; unfold u in *; lra).
+  unfold value at 1 2. rewrite fast_two_sum_exact; auto.
+  2: { rewrite (Rabs_pos_eq s) by lra. unfold u in *. lra. }
+  assert (G : Rabs (2 * s * t - d) <= (3 * u ^ 2 + 6 * u ^ 3) * N).
+  { replace (2 * s * t - d) with ((t - d / (2 * s)) * (2 * s)) by (field; lra). rewrite Rabs_mult, (Rabs_pos_eq (2 * s)) by lra.
+    replace ((3 * u ^ 2 + 6 * u ^ 3) * N) with ((3 * u ^ 2 + 6 * u ^ 3) * K * (2 * s)) by (rewrite Rmult_assoc, EK; ring).
+    apply Rmult_le_compat_r; [lra|exact R4]. }
+  assert (W : Rabs (2 * s * t) <= (3 * u + 9 * u ^ 2) * N) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (Q : 0 <= t * t <= (9 / 4 * u ^ 2 + 20 * u ^ 3) * N).
+  { split; [apply Rle_0_sqr|]. pose proof (product_bound _ _ _ _ W W) as WW. apply Rabs_in in WW.
+    apply Rmult_le_reg_r with (4 * (s * s)); [apply Rmult_lt_0_compat; [lra|apply Rmult_lt_0_compat; lra]|].
+    replace (t * t * (4 * (s * s))) with (2 * s * t * (2 * s * t)) by ring. apply Rle_trans with (1 := proj2 WW).
+    apply Rle_trans with ((9 / 4 * u ^ 2 + 20 * u ^ 3) * N * (4 * ((1 - 2 * u) * N))).
+    - assert (0 <= N * N) by (apply Rle_0_sqr).
+      replace ((3 * u + 9 * u ^ 2) * N * ((3 * u + 9 * u ^ 2) * N)) with ((3 * u + 9 * u ^ 2) ^ 2 * (N * N)) by ring.
+      replace ((9 / 4 * u ^ 2 + 20 * u ^ 3) * N * (4 * ((1 - 2 * u) * N))) with ((9 / 4 * u ^ 2 + 20 * u ^ 3) * (4 * (1 - 2 * u)) * (N * N)) by ring.
+      apply Rmult_le_compat_r; [auto|unfold u; lra].
+    - apply Rmult_le_compat_l; [apply Rmult_le_pos; [unfold u; lra|lra]|]. lra. }
+  apply Rle_trans with ((33 / 4 * u ^ 2 + 60 * u ^ 3) * N).
+  - unfold value. fold N. replace ((s + t) * (s + t)) with (s * s + 2 * s * t + t * t) by ring. apply Rabs_le. bounds. unfold u in *. lra.
+  - unfold value. fold N. bounds. unfold u in *. lra.
 Qed.

@@ -1,6 +1,8 @@
 (* The theorems on rounding: what each of them says and the axioms it rests on.  What this file prints when it is compiled is golden, so that neither
    a statement nor a definition of the double-double operations can change unseen. *)
+From Coq Require Import Reals.
 From Etalon Require Import Rounding RoundingBasis Binary64 DoubleDouble DoubleDoubleBounds Tie.
+Open Scope R_scope.
 
 (* ---- definitions ---- *)
 
@@ -20,6 +22,9 @@ Print upper.
 Print two_product.
 Print add.
 Print mul.
+Print mul_double.
+Print div.
+Print root.
 
 (* ---- statements and axioms ---- *)
 
@@ -59,3 +64,13 @@ Check add_near.
 Print Assumptions add_near.
 Check mul_near.
 Print Assumptions mul_near.
+Check mul_double_near.
+Print Assumptions mul_double_near.
+Check div_near.
+Print Assumptions div_near.
+Check div_near_published.
+Print Assumptions div_near_published.
+Check root_0.
+Print Assumptions root_0.
+Check root_near.
+Print Assumptions root_near.
