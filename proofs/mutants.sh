@@ -2,7 +2,7 @@
 # mutants.sh BUILD [LINE...]: breaks what is proved, line by line of proofs/mutants.tsv, in a copy, and fails where proofs/prove.sh does not.
 #
 # First the piece has to go through as it is, with the same limits of time: then it is the mutant that fails.  A unit of WP is asked for the mutated
-# function alone, which takes seconds; whatever else is proved of it can only fail too.
+# function alone, Eva for one entry point, which takes seconds; whatever else is proved of it can only fail too.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -21,6 +21,8 @@ goes() {
     -) flags= ;;
     *) flags="-wp-fct $function -wp-timeout 20" ;;
     esac
+    [ "$piece" = eva ] && EVA=$function || EVA=
+    export EVA
     WPFLAGS=$flags sh "$tree/proofs/prove.sh" "$build" "$piece" > "$tree/log" 2>&1 < /dev/null
 }
 

@@ -126,7 +126,7 @@ eva() {
     wants frama-c eva || return
     right=yes
     # shellcheck disable=SC2086
-    sh proofs/eva.sh $accept "$build/eva" > "$build/eva.log" 2>&1 || right=
+    sh proofs/eva.sh $accept "$build/eva" ${EVA-} > "$build/eva.log" 2>&1 || right=
     grep -v ' passed, ' "$build/eva.log"
     passed=$((passed + $(grep -c '^ok' "$build/eva.log")))
     [ -n "$right" ] && record eva && return
