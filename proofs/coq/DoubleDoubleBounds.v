@@ -680,3 +680,40 @@ Proof.
   - unfold value. fold N. replace ((s + t) * (s + t)) with (s * s + 2 * s * t + t * t) by ring. apply Rabs_le. bounds. unfold u in *. lra.
   - unfold value. fold N. bounds. unfold u in *. lra.
 Qed.
+
+(* ---- the hypotheses can be met ---- *)
+
+(* Every sum of two doubles is in normal form; so is a double by itself. *)
+Theorem two_sum_normal : forall a b, double a -> double b -> normal (two_sum a b).
+Proof. intros a b Ha Hb. split; try apply rnd64_double. unfold value. rewrite two_sum_exact by auto. reflexivity. Qed.
+Lemma double_normal : forall x, double x -> normal (DD x 0).
+Proof. intros x H. split; cbn [hi lo]; auto using double_0. unfold value. cbn [hi lo]. now rewrite Rplus_0_r, round_id. Qed.
+Theorem fast_two_sum_normal : forall a b, double a -> double b -> Rabs b <= Rabs a -> normal (fast_two_sum a b).
+Proof. intros a b Ha Hb H. split; try apply rnd64_double. unfold value. rewrite fast_two_sum_exact by auto. reflexivity. Qed.
+
+(* 1 + 2^-60, of which the lower part is not 0. *)
+Example unity : dd := two_sum 1 (bpow radix2 (-60)).
+Example unity_normal : normal unity.
+Proof.
+  apply two_sum_normal; [change 1 with (bpow radix2 0)|]; apply generic_format_bpow; unfold FLT_exp; lia.
+Qed.
+Example unity_is : value unity = 1 + bpow radix2 (-60).
+Proof. apply two_sum_exact; [change 1 with (bpow radix2 0)|]; apply generic_format_bpow; unfold FLT_exp; lia. Qed.
+Example unity_range : bpow radix2 (-900) <= hi unity.
+Proof.
+  change (hi unity) with (rnd64 (1 + bpow radix2 (-60))). apply Rle_trans with 1; [change 1 with (bpow radix2 0); apply bpow_le; lia|].
+  apply round_ge_generic; [apply FLT_exp_valid; reflexivity|apply valid_rnd_N| |pose proof (bpow_gt_0 radix2 (-60)); lra].
+  change 1 with (bpow radix2 0). apply generic_format_bpow. unfold FLT_exp. lia.
+Qed.
+Example unity_root : Rabs (value (root unity) * value (root unity) - value unity) <= (33 / 4 * u ^ 2 + 80 * u ^ 3) * value unity.
+Proof. exact (root_near unity unity_normal unity_range). Qed.
+Example unity_quotient : Rabs (value (div unity unity) - 1) <= 15 * u ^ 2 + 56 * u ^ 3.
+Proof.
+  pose proof unity_range as R. pose proof (bpow_gt_0 radix2 (-900)) as P.
+  assert (A : bpow radix2 (-900) <= Rabs (hi unity)) by (rewrite Rabs_pos_eq by lra; exact R).
+  pose proof (div_near_published unity unity unity_normal unity_normal (or_intror A) A) as H.
+  assert (V : value unity / value unity = 1).
+  { rewrite unity_is. pose proof (bpow_gt_0 radix2 (-60)). field. lra. }
+  rewrite V, Rabs_R1, Rmult_1_r in H. apply H. right. rewrite <- (Rmult_1_l (Rabs (hi unity))) at 2. apply Rmult_le_compat_r; [lra|].
+  change 1 with (bpow radix2 0). apply bpow_le. lia.
+Qed.

@@ -1,7 +1,7 @@
 (* The theorems on rounding: what each of them says and the axioms it rests on.  What this file prints when it is compiled is golden, so that neither
    a statement nor a definition of the double-double operations can change unseen. *)
 From Coq Require Import Reals.
-From Etalon Require Import Rounding RoundingBasis Binary64 DoubleDouble DoubleDoubleBounds Tie.
+From Etalon Require Import Rounding RoundingBasis Binary64 DoubleDouble DoubleDoubleBounds Examples Tie.
 Open Scope R_scope.
 
 (* ---- definitions ---- *)
@@ -51,26 +51,30 @@ Print Assumptions processor_within.
 Check processor_within_knots.
 Print Assumptions processor_within_knots.
 Check two_sum_exact.
-Print Assumptions two_sum_exact.
 Check fast_two_sum_exact.
-Print Assumptions fast_two_sum_exact.
 Check two_product_exact.
-Print Assumptions two_product_exact.
 Check two_product_near.
-Print Assumptions two_product_near.
 Check add_near_same.
-Print Assumptions add_near_same.
 Check add_near.
-Print Assumptions add_near.
 Check mul_near.
-Print Assumptions mul_near.
 Check mul_double_near.
-Print Assumptions mul_double_near.
 Check div_near.
-Print Assumptions div_near.
 Check div_near_published.
-Print Assumptions div_near_published.
 Check root_0.
-Print Assumptions root_0.
 Check root_near.
-Print Assumptions root_near.
+Check two_sum_normal.
+Check fast_two_sum_normal.
+Check unity_normal.
+Check unity_range.
+Check unity_root.
+Check unity_quotient.
+Check some_knots_are_knots.
+Check some_knots_are_clamped.
+Check half_is_insertable.
+Check one_is_insertable.
+Check half_is_in_a_span.
+Check half_inserted.
+Definition all_of_double_double := (two_sum_exact, fast_two_sum_exact, two_product_exact, two_product_near, add_near_same, add_near, mul_near,
+  mul_double_near, div_near, div_near_published, root_0, root_near, two_sum_normal, fast_two_sum_normal, unity_normal, unity_range, unity_root,
+  unity_quotient, some_knots_are_knots, some_knots_are_clamped, half_is_insertable, one_is_insertable, half_is_in_a_span, half_inserted).
+Print Assumptions all_of_double_double.
