@@ -97,36 +97,90 @@ static void select_better(et_search *s, const double *trial, const double *value
     }
 }
 
-et_status et_de_step(et_search *search, et_rng *rng)
+/* Trial i: a mutant crossed with individual i, in the box. */
+/*@ requires search: et_search_started(s) && et_search_rng(s, rng) && i < s->options.population;
+    assigns  s->trial[0 .. (s->options.population + 1) * (s->n + 1) - 1], *rng;
+*/
+static void build(et_search *s, size_t i, et_rng *rng)
 {
-    const et_search_options *o = &search->options;
-    const size_t n = search->n, group = o->by_coordinate ? 1 : o->group, genes = n / group;
-    /*@ ghost fact_search(search); */
+    const et_search_options *o = &s->options;
+    const size_t n = s->n, group = o->by_coordinate ? 1 : o->group, genes = n / group;
+    /*@ ghost fact_search(s); */
+    /*@ ghost fact_slot(i, s->options.population, n); */
+    /*@ assert sizes: i * n <= SIZE_MAX && o->population * n <= SIZE_MAX && o->population * n + o->population <= SIZE_MAX; */
     /*@ ghost if (!o->by_coordinate) fact_genes(n, group); */
     /*@ assert genes: genes * group == n && 1 <= genes <= n; */
-    double *value = search->trial + o->population * n, *draw = value + o->population;
-    /*@ loop invariant range:  0 <= i <= o->population && search->evaluations == \at(search->evaluations, Pre) + i;
+    double *y = s->trial + i * n, *draw = s->trial + o->population * n + o->population;
+    size_t r[3];
+    draw_three(r, i, o->population, rng);
+    const size_t always = et_rng_index(rng, genes);
+    et_rng_fill(draw, genes, rng);
+    /*@ ghost fact_slot(r[0], o->population, n); */
+    /*@ ghost fact_slot(r[1], o->population, n); */
+    /*@ ghost fact_slot(r[2], o->population, n); */
+    mutant(y, s->x + r[0] * n, s->x + r[1] * n, s->x + r[2] * n, o->F, n);
+    cross(y, s->x + i * n, draw, always, o->CR, genes, group);
+    et_search_clamp(y, s);
+}
+
+et_status et_de_step(et_search *search, et_rng *rng)
+{
+    const size_t n = search->n, population = search->options.population;
+    /*@ ghost fact_search(search); */
+    /*@ ghost fact_order(); */
+    double *value = search->trial + population * n;
+    /*@ assert work:   search_aside(search->trial, (population + 1) * (n + 1), search); */
+    /*@ assert best:   search_aside(search->best, n, search); */
+    /*@ loop invariant range:   0 <= i <= population && search->evaluations == \at(search->evaluations, Pre) + i;
+        loop invariant same:    search->n == n && search->options.population == population && search->generation == \at(search->generation, Pre);
+        loop invariant values:  search_values{Pre, Here}(search);
+        loop invariant centre:  search_centre{Here}(search);
+        loop invariant own:     search_own{Here}(search);
+        loop invariant arrays:  et_search_arrays(search);
+        loop invariant apart:   et_search_apart(search);
+        loop invariant options: et_search_options_ok(search);
         loop invariant falling: \le_double(search->best_value, \at(search->best_value, Pre));
-        loop assigns   i, search->trial[0 .. (o->population + 1) * (n + 1) - 1], search->best[0 .. n - 1], search->best_value,
+        loop invariant rng:     et_search_rng(search, rng);
+        loop assigns   i, search->trial[0 .. (population + 1) * (n + 1) - 1], search->best[0 .. n - 1], search->best_value,
                        search->evaluations, *rng;
-        loop variant   o->population - i; */
-    for (size_t i = 0; i < o->population; i++) {
-        /*@ ghost fact_slot(i, o->population, n); */
-        double *y = search->trial + i * n;
-        size_t r[3];
-        draw_three(r, i, o->population, rng);
-        const size_t always = et_rng_index(rng, genes);
-        et_rng_fill(draw, genes, rng);
-        /*@ ghost fact_slot(r[0], o->population, n); */
-        /*@ ghost fact_slot(r[1], o->population, n); */
-        /*@ ghost fact_slot(r[2], o->population, n); */
-        mutant(y, search->x + r[0] * n, search->x + r[1] * n, search->x + r[2] * n, o->F, n);
-        cross(y, search->x + i * n, draw, always, o->CR, genes, group);
-        et_search_clamp(y, search);
-        const et_status status = et_search_eval(&value[i], search, y);
+        loop variant   population - i; */
+    for (size_t i = 0; i < population; i++) {
+        /*@ ghost fact_slot(i, population, n); */
+        /*@ assert inside: population * n + i < (population + 1) * (n + 1) && i * n + n <= population * n; */
+        build(search, i, rng);
+        /*@ assert values:  search_values{Pre, Here}(search); */
+        /*@ assert centre:  search_centre{Here}(search); */
+        /*@ assert own:     search_own{Here}(search); */
+        /*@ assert arrays:  et_search_arrays(search); */
+        /*@ assert apart:   et_search_apart(search); */
+        /*@ assert options: et_search_options_ok(search); */
+        /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
+        /*@ assert trial:   \valid(search->trial + (i * n .. i * n + n - 1)); */
+        /*@ assert out:     \valid(value + i) && \valid(search->best + (0 .. n - 1)); */
+        const et_status status = et_search_eval(&value[i], search, search->trial + i * n);
+        /*@ assert values:  search_values{Pre, Here}(search); */
+        /*@ assert centre:  search_centre{Here}(search); */
+        /*@ assert own:     search_own{Here}(search); */
+        /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
+        /*@ assert arrays:  et_search_arrays(search); */
+        /*@ assert apart:   et_search_apart(search); */
+        /*@ assert options: et_search_options_ok(search); */
+        /*@ assert ordered: et_search_ordered(search); */
         if (status != ET_OK) return status;
     }
+    /*@ assert ordered: et_search_ordered(search); */
     select_better(search, search->trial, value);
+    /*@ assert values:  search_values{Pre, Here}(search); */
+    /*@ assert centre:  search_centre{Here}(search); */
+    /*@ assert own:     search_own{Here}(search); */
+    /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
+    /*@ assert arrays:  et_search_arrays(search); */
+    /*@ assert apart:   et_search_apart(search); */
+    /*@ assert options: et_search_options_ok(search); */
     search->generation++;
+    /*@ assert arrays:  et_search_arrays(search); */
+    /*@ assert apart:   et_search_apart(search); */
+    /*@ assert options: et_search_options_ok(search); */
+    /*@ assert ordered: et_search_ordered(search); */
     return ET_OK;
 }

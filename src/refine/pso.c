@@ -89,36 +89,90 @@ static void settle(et_search *s, size_t i, const double *y, double value)
     s->remembered[i] = value;
 }
 
+/* Particle i: its new velocity, and where that takes it, in the workspace behind the best of before. */
+/*@ requires search: et_search_started(s) && et_search_rng(s, rng) && s->velocity != \null && i < s->options.population;
+    assigns  s->velocity[0 .. s->options.population * s->n - 1], s->trial[0 .. 4 * s->n - 1], *rng;
+*/
+static void steer(et_search *s, size_t i, et_rng *rng)
+{
+    const et_search_options *o = &s->options;
+    const coefficients c = { o->K, o->c1, o->c2 };
+    const size_t n = s->n;
+    /*@ ghost fact_search(s); */
+    /*@ ghost fact_slot(i, o->population, n); */
+    double *before = s->trial, *y = before + n, *r = y + n, *x = s->x + i * n, *v = s->velocity + i * n;
+    const double *all = o->immediate ? s->best : before;
+    et_rng_fill(r, 2 * n, rng);
+    accelerate(v, x, s->memory + i * n, all, r, c, n);
+    limit(v, o->vmax, n);
+    move(y, v, x, s);
+}
+
 et_status et_pso_step(et_search *search, et_rng *rng)
 {
     if (!search->velocity) return ET_EINVAL;
-    const et_search_options *o = &search->options;
-    const coefficients c = { o->K, o->c1, o->c2 };
-    const size_t n = search->n;
+    const size_t n = search->n, population = search->options.population;
     /*@ ghost fact_search(search); */
-    double *before = search->trial, *y = before + n, *r = y + n;
-    const double *all = o->immediate ? search->best : before;
+    /*@ ghost fact_order(); */
+    double *before = search->trial, *y = before + n, *value = y + 3 * n;
+    /*@ assert work:   search_aside(search->trial, (population + 1) * (n + 1), search); */
+    /*@ assert best:   search_aside(search->best, n, search); */
+    /*@ assert speed:  search_aside(search->velocity, population * n, search); */
     memcpy(before, search->best, n * sizeof *before);
-    /*@ loop invariant range:   0 <= i <= o->population && search->evaluations == \at(search->evaluations, Pre) + i;
-        loop invariant ordered: et_search_ordered(search);
+    /*@ loop invariant range:   0 <= i <= population && search->evaluations == \at(search->evaluations, Pre) + i;
+        loop invariant same:    search->n == n && search->options.population == population && search->generation == \at(search->generation, Pre);
+        loop invariant rng:     et_search_rng(search, rng);
+        loop invariant values:  \forall integer j; 0 <= j < population ==> !\is_NaN(search->value[j]);
+        loop invariant own:     \forall integer j; 0 <= j < population ==> \le_double(search->remembered[j], \at(search->remembered[j], Pre));
+        loop invariant centre:  search_centre{Here}(search);
         loop invariant falling: \le_double(search->best_value, \at(search->best_value, Pre));
-        loop invariant own:     \forall integer j; 0 <= j < o->population ==> \le_double(search->remembered[j], \at(search->remembered[j], Pre));
-        loop assigns   i, search->x[0 .. o->population * n - 1], search->value[0 .. o->population - 1], search->velocity[0 .. o->population * n - 1],
-                       search->memory[0 .. o->population * n - 1], search->remembered[0 .. o->population - 1],
-                       search->trial[0 .. (o->population + 1) * (n + 1) - 1], search->best[0 .. n - 1], search->best_value,
+        loop invariant arrays:  et_search_arrays(search);
+        loop invariant apart:   et_search_apart(search);
+        loop invariant options: et_search_options_ok(search);
+        loop invariant ordered: et_search_ordered(search);
+        loop assigns   i, search->x[0 .. population * n - 1], search->value[0 .. population - 1], search->velocity[0 .. population * n - 1],
+                       search->memory[0 .. population * n - 1], search->remembered[0 .. population - 1],
+                       search->trial[0 .. (population + 1) * (n + 1) - 1], search->best[0 .. n - 1], search->best_value,
                        search->evaluations, *rng;
-        loop variant   o->population - i; */
-    for (size_t i = 0; i < o->population; i++) {
-        /*@ ghost fact_slot(i, o->population, n); */
-        double *x = search->x + i * n, *v = search->velocity + i * n, value = 0.0;
-        et_rng_fill(r, 2 * n, rng);
-        accelerate(v, x, search->memory + i * n, all, r, c, n);
-        limit(v, o->vmax, n);
-        move(y, v, x, search);
-        const et_status status = et_search_eval(&value, search, y);
+        loop variant   population - i; */
+    for (size_t i = 0; i < population; i++) {
+        steer(search, i, rng);
+        /*@ assert values:  \forall integer j; 0 <= j < population ==> !\is_NaN(search->value[j]); */
+        /*@ assert own:     \forall integer j; 0 <= j < population ==> \le_double(search->remembered[j], \at(search->remembered[j], Pre)); */
+        /*@ assert centre:  search_centre{Here}(search); */
+        /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
+        /*@ assert arrays:  et_search_arrays(search); */
+        /*@ assert apart:   et_search_apart(search); */
+        /*@ assert options: et_search_options_ok(search); */
+        /*@ assert ordered: et_search_ordered(search); */
+        const et_status status = et_search_eval(value, search, y);
+        /*@ assert values:  \forall integer j; 0 <= j < population ==> !\is_NaN(search->value[j]); */
+        /*@ assert own:     \forall integer j; 0 <= j < population ==> \le_double(search->remembered[j], \at(search->remembered[j], Pre)); */
+        /*@ assert centre:  search_centre{Here}(search); */
+        /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
+        /*@ assert arrays:  et_search_arrays(search); */
+        /*@ assert apart:   et_search_apart(search); */
+        /*@ assert options: et_search_options_ok(search); */
+        /*@ assert ordered: et_search_ordered(search); */
         if (status != ET_OK) return status;
-        settle(search, i, y, value);
+        settle(search, i, y, *value);
+        /*@ assert values:  \forall integer j; 0 <= j < population ==> !\is_NaN(search->value[j]); */
+        /*@ assert own:     \forall integer j; 0 <= j < population ==> \le_double(search->remembered[j], \at(search->remembered[j], Pre)); */
+        /*@ assert centre:  search_centre{Here}(search); */
+        /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
+        /*@ assert arrays:  et_search_arrays(search); */
+        /*@ assert apart:   et_search_apart(search); */
+        /*@ assert options: et_search_options_ok(search); */
+        /*@ assert ordered: et_search_ordered(search); */
     }
     search->generation++;
+    /*@ assert values:  \forall integer j; 0 <= j < population ==> !\is_NaN(search->value[j]); */
+    /*@ assert own:     \forall integer j; 0 <= j < population ==> \le_double(search->remembered[j], \at(search->remembered[j], Pre)); */
+    /*@ assert centre:  search_centre{Here}(search); */
+    /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
+    /*@ assert arrays:  et_search_arrays(search); */
+    /*@ assert apart:   et_search_apart(search); */
+    /*@ assert options: et_search_options_ok(search); */
+    /*@ assert ordered: et_search_ordered(search); */
     return ET_OK;
 }
