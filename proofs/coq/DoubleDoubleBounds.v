@@ -150,6 +150,190 @@ Proof.
   - apply Rle_trans with ((8 * u ^ 2 + 40 * u ^ 3) * ((1 - 3 * u) * M)); [unfold u; lra|]. apply Rmult_le_compat_l; [unfold u; lra|exact V].
 Qed.
 
+(* ---- the published constant of the product: errors in units in the last place, not relative ones ---- *)
+
+Lemma round_below : forall x e, Rabs x <= bpow radix2 e -> Rabs (rnd64 x - x) <= u / 2 * bpow radix2 e + eta.
+Proof.
+  intros x e H. destruct (Req_dec x 0) as [->|Z].
+  { rewrite round_0, Rminus_0_r, Rabs_R0. pose proof eta_pos. pose proof (bpow_gt_0 radix2 e). unfold u. lra. }
+  assert (B : forall f, (mag radix2 x <= f)%Z -> Rabs (rnd64 x - x) <= u / 2 * bpow radix2 f + eta).
+  { intros f Hf. apply Rle_trans with (1 := error_le_half_ulp radix2 (FLT_exp (-1074) 53) _ x). rewrite ulp_neq_0 by auto.
+    assert (E : / 2 * bpow radix2 (-1074) = eta).
+    { unfold eta. change (/ 2) with (bpow radix2 (-1)). rewrite <- bpow_plus. reflexivity. }
+    assert (F : / 2 * bpow radix2 (f - 53) = u / 2 * bpow radix2 f).
+    { unfold Z.sub. rewrite bpow_plus. replace (bpow radix2 (-(53))) with u by (unfold u; simpl; lra). unfold Rdiv. ring. }
+    rewrite <- E, <- F. unfold cexp, FLT_exp. pose proof (bpow_gt_0 radix2 (f - 53)). pose proof (bpow_gt_0 radix2 (-1074)).
+    destruct (Z.max_spec (mag radix2 x - 53) (-1074)) as [[_ ->]|[_ ->]]; [lra|].
+    assert (bpow radix2 (mag radix2 x - 53) <= bpow radix2 (f - 53)) by (apply bpow_le; lia). lra. }
+  destruct (Rle_lt_or_eq_dec _ _ H) as [h|h].
+  - apply B. now apply mag_le_bpow.
+  - destruct (Z_le_gt_dec (-1074) e) as [he|he].
+    + assert (D : double x).
+      { assert (G : double (bpow radix2 e)) by (apply generic_format_bpow; unfold FLT_exp; lia).
+        revert h. unfold Rabs. destruct (Rcase_abs x); intros h; [replace x with (- - x) by ring; apply double_opp|]; now rewrite h. }
+      rewrite (round_id x D), Rminus_eq_0, Rabs_R0. pose proof eta_pos. pose proof (bpow_gt_0 radix2 e). unfold u. lra.
+    + apply Rle_trans with (1 := error_le_half_ulp radix2 (FLT_exp (-1074) 53) _ x). rewrite ulp_neq_0 by auto. unfold cexp, FLT_exp.
+      assert (mag radix2 x <= e + 1)%Z by (apply mag_le_bpow; auto; rewrite h; apply bpow_lt; lia).
+      rewrite Z.max_r by lia. assert (E : / 2 * bpow radix2 (-1074) = eta).
+      { unfold eta. change (/ 2) with (bpow radix2 (-1)). rewrite <- bpow_plus. reflexivity. }
+      pose proof (bpow_gt_0 radix2 e). unfold u. lra.
+Qed.
+(* No double is nearer. *)
+Lemma round_nearest : forall x g, double g -> Rabs (rnd64 x - x) <= Rabs (g - x).
+Proof. intros x g Hg. exact (proj2 (round_N_pt radix2 (FLT_exp (-1074) 53) _ x) g Hg). Qed.
+(* A little above a power of two. *)
+Lemma round_about : forall x e k, (-1074 <= e)%Z -> 0 <= k -> Rabs x <= bpow radix2 e + k ->
+Rabs (rnd64 x - x) <= Rmax (u / 2 * bpow radix2 e + eta) k.
+Proof.
+  intros x e k He Hk H. destruct (Rle_or_lt (Rabs x) (bpow radix2 e)) as [h|h].
+  - apply Rle_trans with (2 := Rmax_l _ _). now apply round_below.
+  - apply Rle_trans with (2 := Rmax_r _ _). assert (G : double (bpow radix2 e)) by (apply generic_format_bpow; unfold FLT_exp; lia).
+    destruct (Rle_or_lt 0 x) as [hx|hx].
+    + apply Rle_trans with (1 := round_nearest x _ G). rewrite (Rabs_pos_eq x) in * by auto. apply Rabs_le. lra.
+    + apply Rle_trans with (1 := round_nearest x _ (double_opp _ G)). rewrite (Rabs_left x) in * by auto. apply Rabs_le. lra.
+Qed.
+
+(* A number in normal form in units of its upper part's leading bit. *)
+Lemma normal_unit : forall d, normal d -> hi d <> 0 ->
+  exists e, bpow radix2 e <= Rabs (hi d) <= 2 * bpow radix2 e /\ Rabs (lo d) <= u * bpow radix2 e /\
+    (Rabs (hi d) = bpow radix2 e \/ (1 + 2 * u) * bpow radix2 e <= Rabs (hi d)).
+Proof.
+  intros d [Hh Hl E] Z. exists (mag radix2 (hi d) - 1)%Z. set (e := (mag radix2 (hi d) - 1)%Z).
+  assert (B1 : bpow radix2 e <= Rabs (hi d)) by (now apply bpow_mag_le).
+  assert (B2 : Rabs (hi d) < bpow radix2 (e + 1)) by (unfold e; rewrite Z.sub_add; apply bpow_mag_gt).
+  assert (U : bpow radix2 (e - 52) = 2 * u * bpow radix2 e).
+  { unfold Z.sub. rewrite bpow_plus. replace (bpow radix2 (-(52))) with (2 * u) by (unfold u; simpl; lra). ring. }
+  rewrite bpow_plus in B2. change (bpow radix2 1) with 2 in B2. split; [lra|split].
+  - replace (lo d) with (- (rnd64 (value d) - value d)) by (rewrite <- E; unfold value; ring). rewrite Rabs_Ropp.
+    unfold value in *. rewrite rnd64_sum in * by auto.
+    apply Rle_trans with (1 := error_le_half_ulp_round radix2 (FLX_exp 53) _ (hi d + lo d)).
+    fold (rnd (hi d + lo d)). rewrite <- E, ulp_neq_0 by auto. unfold cexp, FLX_exp.
+    replace (mag radix2 (hi d) - 53)%Z with (e - 52)%Z by (unfold e; ring). rewrite U. lra.
+  - destruct (Rle_lt_or_eq_dec _ _ B1) as [h|h]; [right|now left].
+    assert (G : generic_format radix2 (FLX_exp 53) (Rabs (hi d))) by (apply generic_format_abs; now apply generic_format_FLX_FLT with (-1074)%Z).
+    assert (S : succ radix2 (FLX_exp 53) (bpow radix2 e) <= Rabs (hi d)).
+    { apply succ_le_lt; auto; try (apply FLX_exp_valid; reflexivity). apply generic_format_bpow. unfold FLX_exp. lia. }
+    rewrite succ_eq_pos in S by apply bpow_ge_0. rewrite ulp_bpow in S. unfold FLX_exp in S. replace (e + 1 - 53)%Z with (e - 52)%Z in S by ring. lra.
+Qed.
+
+Theorem mul_near_published : forall a b, normal a -> normal b -> hi a * hi b = 0 \/ bpow radix2 (-900) <= Rabs (hi a * hi b) ->
+  Rabs (value (mul a b) - value a * value b) <= 7 * u ^ 2 * Rabs (value a * value b).
+Proof.
+  intros a b Ha Hb H. destruct (Req_dec (hi a * hi b) 0) as [Z|Z].
+  { pose proof (mul_near a b Ha Hb (or_introl Z)) as G. assert (value a * value b = 0) as V.
+    { unfold value. apply Rmult_integral in Z. destruct Z as [Z|Z]; [rewrite Z, (normal_0 a Ha Z)|rewrite Z, (normal_0 b Hb Z)]; ring. }
+    rewrite V in *. rewrite Rabs_R0 in *. lra. }
+  destruct H as [?|H]; [contradiction|]. assert (Za : hi a <> 0) by (intros E; apply Z; rewrite E; ring).
+  assert (Zb : hi b <> 0) by (intros E; apply Z; rewrite E; ring).
+  destruct (normal_unit a Ha Za) as (ea & A1 & A2 & A3). destruct (normal_unit b Hb Zb) as (eb & B1 & B2 & B3).
+  pose proof (bpow_gt_0 radix2 ea) as A0. pose proof (bpow_gt_0 radix2 eb) as B0.
+  assert (EP : bpow radix2 (ea + eb) = bpow radix2 ea * bpow radix2 eb) by apply bpow_plus.
+  set (A := bpow radix2 ea) in *. set (B := bpow radix2 eb) in *. set (P := bpow radix2 (ea + eb)) in *.
+  set (x := Rabs (hi a)) in *. set (y := Rabs (hi b)) in *.
+  set (M := Rabs (hi a * hi b)) in *. assert (EM : M = x * y) by (apply Rabs_mult).
+  assert (P0 : 0 < P) by apply bpow_gt_0.
+  assert (M1 : M <= 4 * P) by (rewrite EM, EP; replace (4 * (A * B)) with (2 * A * (2 * B)) by ring; apply Rmult_le_compat; lra).
+  assert (M2 : P <= M) by (rewrite EM, EP; apply Rmult_le_compat; lra).
+  assert (T : 0 <= eta <= / 100000000000000000000000000000000000000000000000000 * P).
+  { assert (Q := eta_small M ltac:(apply Rle_trans with (2 := H); apply bpow_le; lia)). lra. }
+  assert (Le : (-903 < ea + eb)%Z).
+  { apply (lt_bpow radix2). fold P. apply Rlt_le_trans with (/ 4 * bpow radix2 (-900)); [|lra].
+    change (/ 4) with (bpow radix2 (-2)). rewrite <- bpow_plus. apply bpow_lt. lia. }
+  assert (U : forall j, bpow radix2 (ea + eb + j - 53) = u * (bpow radix2 j * P)).
+  { intros j. unfold Z.sub, P. rewrite bpow_plus, (bpow_plus radix2 (ea + eb) j). replace (bpow radix2 (-(53))) with u by (unfold u; simpl; lra).
+    ring. }
+  pose proof (U 1%Z) as U1. pose proof (U 2%Z) as U2. pose proof (U 3%Z) as U3. clear U. change (bpow radix2 1) with 2 in U1.
+  change (bpow radix2 2) with 4 in U2. change (bpow radix2 3) with 8 in U3.
+  assert (Two : bpow radix2 (ea + eb + 1) = 2 * P) by (rewrite bpow_plus; fold P; change (bpow radix2 1) with 2; ring).
+  assert (Four : bpow radix2 (ea + eb + 2) = 4 * P) by (rewrite bpow_plus; fold P; change (bpow radix2 2) with 4; ring).
+  assert (p1 : P <= x * B <= 2 * P) by (rewrite EP; split; [apply Rmult_le_compat_r; lra|rewrite <- Rmult_assoc; apply Rmult_le_compat_r; lra]).
+  assert (p2 : P <= A * y <= 2 * P).
+  { rewrite EP. split; [apply Rmult_le_compat_l; lra|]. replace (2 * (A * B)) with (A * (2 * B)) by ring. apply Rmult_le_compat_l; lra. }
+  assert (T1 : Rabs (hi a * lo b) <= u * (x * B)).
+  { apply Rle_trans with (1 := product_bound _ _ _ _ (Rle_refl _) B2). apply Req_le. unfold x. ring. }
+  assert (T2 : Rabs (lo a * hi b) <= u * (A * y)).
+  { apply Rle_trans with (1 := product_bound _ _ _ _ A2 (Rle_refl _)). apply Req_le. unfold y. ring. }
+  assert (T3 : Rabs (lo a * lo b) <= u * u * P).
+  { apply Rle_trans with (1 := product_bound _ _ _ _ A2 B2). rewrite EP. apply Req_le. ring. }
+  assert (R1 := round_below (hi a * lo b) (ea + eb + 1 - 53) ltac:(rewrite U1; unfold u in *; lra)).
+  assert (R2 := round_below (lo a * hi b) (ea + eb + 1 - 53) ltac:(rewrite U1; unfold u in *; lra)). rewrite U1 in R1, R2.
+  assert (Dah := hi_double a Ha). assert (Dbh := hi_double b Hb).
+  assert (E := two_product_exact (hi a) (hi b) Dah Dbh ltac:(right; apply Rle_trans with (2 := H); apply bpow_le; lia)).
+  assert (Eh : hi (two_product (hi a) (hi b)) = rnd64 (hi a * hi b)) by reflexivity.
+  assert (PP : Rabs (hi (two_product (hi a) (hi b)) - hi a * hi b) <= u * M).
+  { apply round_normal; [right|unfold M; lra]. apply Rle_trans with (2 := H). unfold least. apply bpow_le. lia. }
+  unfold mul. set (p := two_product (hi a) (hi b)) in *.
+  assert (Dp : double (hi p)) by apply rnd64_double. assert (Dq : double (lo p)) by apply rnd64_double.
+  set (t1 := rnd64 (hi a * lo b)) in *. set (t2 := rnd64 (lo a * hi b)) in *.
+  assert (S1 : Rabs (t1 + t2) <= 4 * u * P + 3 * u ^ 2 * P) by (apply Rabs_le; bounds; unfold u in *; lra).
+  assert (S2 : Rabs (t1 + t2) <= u * (x * B) + u * (A * y) + 2 * u ^ 2 * P + 2 * eta) by (apply Rabs_le; bounds; unfold u in *; lra).
+  set (c := rnd64 (t1 + t2)) in *.
+  assert (Dc : double c) by apply rnd64_double. set (d := rnd64 (lo p + c)) in *. assert (Dd : double d) by apply rnd64_double.
+  assert (V0 : M - 3 * u * M <= Rabs (value a * value b)).
+  { unfold value. replace ((hi a + lo a) * (hi b + lo b)) with (hi a * hi b - - (hi a * lo b + lo a * hi b + lo a * lo b)) by ring.
+    pose proof (normal_lo a Ha) as La. pose proof (normal_lo b Hb) as Lb. fold x in La. fold y in Lb.
+    assert (G1 := product_bound (hi a) (lo b) _ _ (Rle_refl _) Lb). assert (G2 := product_bound (lo a) (hi b) _ _ La (Rle_refl _)).
+    assert (G3 := product_bound (lo a) (lo b) _ _ La Lb). fold x in G1. fold y in G2.
+    replace (x * (u * y)) with (u * M) in G1 by (rewrite EM; ring). replace (u * x * y) with (u * M) in G2 by (rewrite EM; ring).
+    replace (u * x * (u * y)) with (u * u * M) in G3 by (rewrite EM; ring).
+    apply Rle_trans with (2 := Rabs_triang_inv _ _). fold M. rewrite Rabs_Ropp.
+    assert (Rabs (hi a * lo b + lo a * hi b + lo a * lo b) <= 3 * u * M); [|lra]. apply Rabs_le. bounds. unfold u in *. lra. }
+  (* It is enough to bound the last two roundings. *)
+  assert (Sum : forall e3 e4 : R, e3 + e4 <= 20 * u ^ 2 * P -> Rabs (c - (t1 + t2)) <= e3 -> Rabs (d - (lo p + c)) <= e4 ->
+    (3 * u ^ 2 * P + 2 * eta) + e3 + e4 <= 7 * u ^ 2 * Rabs (value a * value b) ->
+    Rabs (value (fast_two_sum (hi p) d) - value a * value b) <= 7 * u ^ 2 * Rabs (value a * value b)).
+  { intros e3 e4 H0 H3 H4 HS. unfold value at 1. rewrite fast_two_sum_exact; auto.
+    2: { assert (M - Rabs (hi p) <= u * M) by (apply Rle_trans with (2 := PP); unfold M; rewrite Rabs_minus_sym; apply Rabs_triang_inv).
+         apply Rle_trans with (10 * u * M); [|unfold u in *; lra].
+         apply Rabs_le. bounds. unfold u in *. lra. }
+    apply Rle_trans with (2 := HS). unfold value.
+    replace ((hi a + lo a) * (hi b + lo b)) with (hi p + lo p + (hi a * lo b + lo a * hi b + lo a * lo b)) by (rewrite E; ring).
+    apply Rabs_le. bounds. unfold u in *. lra. }
+  assert (R3 : Rabs (c - (t1 + t2)) <= 3 * u ^ 2 * P).
+  { apply Rle_trans with (1 := round_about (t1 + t2) (ea + eb + 2 - 53) (3 * u ^ 2 * P) ltac:(lia) ltac:(unfold u; lra)
+      ltac:(rewrite U2; lra)). apply Rmax_lub; [rewrite U2; unfold u in *; lra|lra]. }
+  destruct (Rlt_or_le (2 * P) M) as [h|h].
+  - (* a product of 2 to 4 units *)
+    apply (Sum (3 * u ^ 2 * P) (4 * u ^ 2 * P + eta)); auto; [unfold u in *; lra| |unfold u in *; lra].
+    assert (Q : Rabs (hi p - hi a * hi b) <= u / 2 * (4 * P) + eta).
+    { rewrite Eh. replace (4 * P) with (bpow radix2 (ea + eb + 2)) by (rewrite Four; ring). apply round_below. rewrite Four. fold M. lra. }
+    assert (S3 : Rabs (lo p + c) <= u * (8 * P)) by (apply Rabs_le; bounds; unfold u in *; lra).
+    rewrite <- U3 in S3. apply Rle_trans with (1 := round_below _ _ S3). rewrite U3. lra.
+  - assert (Exact : double (hi a * hi b) ->
+      Rabs (value (fast_two_sum (hi p) d) - value a * value b) <= 7 * u ^ 2 * Rabs (value a * value b)).
+    { intros D. assert (Z0 : lo p = 0) by (rewrite (round_id _ D) in Eh; lra).
+      apply (Sum (3 * u ^ 2 * P) 0); auto; [unfold u in *; lra| |unfold u in *; lra].
+      unfold d. rewrite Z0, Rplus_0_l, (round_id c) by auto. rewrite Rminus_eq_0, Rabs_R0. lra. }
+    assert (Power : forall v w e f, double w -> Rabs v = bpow radix2 e -> bpow radix2 f <= Rabs w -> (-903 < e + f)%Z -> double (w * v)).
+    { intros v w e f Dw Hv Hw Hl. assert (G : double (w * bpow radix2 e)).
+      { apply mult_bpow_exact_FLT; auto. replace f with (f + 1 - 1)%Z in Hw by ring. apply mag_ge_bpow in Hw. lia. }
+      rewrite <- Hv in G. revert G. unfold Rabs. destruct (Rcase_abs v); auto. intros G. apply double_opp in G.
+      replace (- (w * - v)) with (w * v) in G by ring. exact G. }
+    destruct A3 as [A3|A3].
+    { apply Exact. rewrite Rmult_comm. apply (Power _ _ ea eb Dbh A3 (proj1 B1)). lia. }
+    destruct B3 as [B3|B3].
+    { apply Exact. apply (Power _ _ eb ea Dah B3 (proj1 A1)). lia. }
+    assert (XY : x * B + A * y <= (3 - 2 * u + 8 * u ^ 2) * P).
+    { assert (0 <= (x - (1 + 2 * u) * A) * (y - (1 + 2 * u) * B)) as G by (apply Rmult_le_pos; lra).
+      replace ((x - (1 + 2 * u) * A) * (y - (1 + 2 * u) * B)) with (M - (1 + 2 * u) * (x * B) - (1 + 2 * u) * (A * y) + (1 + 2 * u) ^ 2 * P) in G by
+        (rewrite EM, EP; ring). unfold u in *. lra. }
+    assert (S3 : Rabs (t1 + t2) <= (3 * u + 9 * u ^ 3) * P) by (unfold u in *; lra).
+    assert (R3' := round_below (t1 + t2) (ea + eb + 2 - 53) ltac:(rewrite U2; unfold u in *; lra)). rewrite U2 in R3'. fold c in R3'.
+    assert (Q : Rabs (hi p - hi a * hi b) <= u / 2 * (2 * P) + eta).
+    { rewrite Eh. replace (2 * P) with (bpow radix2 (ea + eb + 1)) by (rewrite Two; ring). apply round_below. rewrite Two. fold M. lra. }
+    assert (V : (1 + 2 * u) * P <= Rabs (value a * value b)).
+    { assert (G1 : (1 + u) * A <= Rabs (value a)).
+      { unfold value. assert (Rabs (hi a) - Rabs (lo a) <= Rabs (hi a + lo a)) by (clear; split_Rabs; lra). fold x in H0. lra. }
+      assert (G2 : (1 + u) * B <= Rabs (value b)).
+      { unfold value. assert (Rabs (hi b) - Rabs (lo b) <= Rabs (hi b + lo b)) by (clear; split_Rabs; lra). fold y in H0. lra. }
+      rewrite Rabs_mult. apply Rle_trans with ((1 + u) * A * ((1 + u) * B)).
+      - replace ((1 + u) * A * ((1 + u) * B)) with ((1 + u) * (1 + u) * P) by (rewrite EP; ring). unfold u in *. lra.
+      - apply Rmult_le_compat; try (apply Rmult_le_pos; unfold u; lra); auto. }
+    apply (Sum (2 * u ^ 2 * P + eta) ((2 * u ^ 2 + 10 * u ^ 3) * P)); [unfold u in *; lra|unfold u in *; lra| |unfold u in *; lra].
+    apply Rle_trans with (1 := round_about (lo p + c) (ea + eb + 2 - 53) ((2 * u ^ 2 + 10 * u ^ 3) * P) ltac:(lia) ltac:(unfold u; lra)
+      ltac:(rewrite U2; apply Rabs_le; bounds; unfold u in *; lra)). apply Rmax_lub; [rewrite U2; unfold u in *; lra|lra].
+Qed.
+
 (* ---- the sum: JMP 6 ---- *)
 
 (* QUOTE src/base/dd_parts.h

@@ -57,6 +57,7 @@ Check two_product_near.
 Check add_near_same.
 Check add_near.
 Check mul_near.
+Check mul_near_published.
 Check mul_double_near.
 Check div_near.
 Check div_near_published.
