@@ -20,6 +20,6 @@ Proof. split; try lia; try (split; each 2%nat). - intros i Hi. each i. - intros 
 Example half_is_in_a_span : is_span some_knots 2 4 (1 / 2) 2.
 Proof. split; try lia; try (split; each 2%nat); each 2%nat. Qed.
 (* So the curve keeps its points, whatever its control points are. *)
-Ex
-ample half_inserted : forall P u, curve (insert_knot some_knots 2 (1 / 2)) 2 5 (insert_point some_knots 2 (1 / 2) 2 0 P) u = curve some_knots 2 4 P u.
+Example half_inserted : forall P u,
+  curve (insert_knot some_knots 2 (1 / 2)) 2 5 (insert_point some_knots 2 (1 / 2) 2 0 P) u = curve some_knots 2 4 P u.
 Proof. intros P u. apply curve_insert; [exact some_knots_are_knots|exact half_is_insertable]. Qed.
