@@ -5,7 +5,8 @@
 #   tie        the rows by which Tie.v holds the models against the code are those the code gives, bit for bit
 #   constants  the bounds in the documentation, in the code's comments and in the proofs are one and the same
 #   gappa      the bounds for degree 3
-#   coq        the theorems, and on which axioms they rest: golden/proofs/assumptions.txt, rounding_assumptions.txt
+#   coq        the theorems, and on which axioms they rest: golden/proofs/assumptions.txt, rounding_assumptions.txt;
+#              of every single one golden/proofs/theorems.txt
 #   eva        no run-time error in the ranges of proofs/eva
 #   UNIT       a unit of proofs/wp.tsv
 #
@@ -78,6 +79,18 @@ wants() {
     return 1
 }
 
+# Of every theorem what it says and, of those of a file together, on which axioms they rest.
+theorems() {
+    echo 'Set Printing Width 140.'
+    for v in $(grep -v Assumptions proofs/coq/order); do echo "From Etalon Require ${v%.v}."; done
+    for v in $(grep -v Assumptions proofs/coq/order); do
+        names=$(sed -nE "s/^(Theorem|Corollary) ([A-Za-z0-9_']+).*/@${v%.v}.\\2/p" "proofs/coq/$v")
+        [ -n "$names" ] || continue
+        for name in $names; do echo "Check $name."; done
+        echo "Definition theorems_of_${v%.v} := ($(echo "$names" | paste -sd ,)). Print Assumptions theorems_of_${v%.v}."
+    done
+}
+
 # In the order of proofs/coq/order, each with the text of all before it for its key.
 coq() {
     wants coqc coq || return
@@ -98,11 +111,18 @@ coq() {
         fi
         good "coq $v"
     done
+    theorems > "$build/coq/Theorems.v"
+    if ! (cd "$build/coq" && nice coqc -R . Etalon Theorems.v) > "$build/coq/Theorems.out" 2> "$build/coq/Theorems.log"; then
+        sed 's/^/  /' "$build/coq/Theorems.log"
+        bad 'coq: the theorems are not printed'
+        return
+    fi
     if grep -lE '^[[:space:]]*(Admitted|Axiom|Parameter|Conjecture)\b|admit\.' proofs/coq/*.v; then
         bad 'coq: something is assumed'
         right=
     fi
-    same $golden/assumptions.txt "$build/coq/Assumptions.out" && same $golden/rounding_assumptions.txt "$build/coq/RoundingAssumptions.out" || right=
+    same $golden/assumptions.txt "$build/coq/Assumptions.out" && same $golden/rounding_assumptions.txt "$build/coq/RoundingAssumptions.out" &&
+        same $golden/theorems.txt "$build/coq/Theorems.out" || right=
     [ -n "$right" ] && good 'coq: definitions, statements and axioms are the golden ones' && record coq && return
     bad 'coq: definitions, statements or axioms are not the golden ones'
 }
