@@ -41,7 +41,7 @@ void et_som_start(et_vec3 *weights, size_t nov, et_rng *rng)
     }
 }
 
-/*@ predicate training_net(training *s) = et_net_ok(s->net.nx, s->net.ny) && s->w.classes == NOV(s->net.nx, s->net.ny)
+/*@ predicate training_net(training *s) = \valid(s) && et_net_ok(s->net.nx, s->net.ny) && s->w.classes == NOV(s->net.nx, s->net.ny)
         && (s->net.nx - 1)*(s->net.nx - 1) <= SIZE_MAX / 4 && (s->net.ny - 1)*(s->net.ny - 1) <= SIZE_MAX / 4;
 
     predicate training_tables(training *s) = 1 <= s->limit && 1 <= s->distinct <= s->limit
@@ -66,6 +66,17 @@ void et_som_start(et_vec3 *weights, size_t nov, et_rng *rng)
                          s->w.z + (0 .. s->w.padded - 1)) && s->w.classes <= s->w.padded;
 */
 
+/*@ predicate training_start(training *s, integer iterations) = training_net(s) && training_tables(s) && training_apart(s) && training_listed(s)
+        && training_space(s) && winner_arrays(&s->w) && winner_indexed(&s->w, s->net.nx, s->net.ny) && tally_arrays(&s->score, iterations)
+        && s->within == 0 && s->score.count == 0;
+
+    predicate training_blocks(training *s, integer iterations) =
+        \separated(s, s->factor + (0 .. s->limit - 1), s->dist2 + (0 .. s->distinct - 1), s->reach[0] + (0 .. s->net.nx - 1),
+            s->reach[1] + (0 .. s->net.nx - 1), s->w.x + (0 .. s->w.padded - 1), s->w.y + (0 .. s->w.padded - 1),
+            s->w.z + (0 .. s->w.padded - 1), s->w.d + (0 .. s->w.padded - 1), s->w.index + (0 .. s->w.classes - 1),
+            s->score.error + (0 .. TALLY_BLOCK - 1), s->score.block + (0 .. iterations / TALLY_BLOCK));
+*/
+
 /*@ requires training: \valid_read(s);
     assigns  \nothing;
 */
@@ -80,7 +91,6 @@ static void training_free(training *s)
 
 /* One more than the greatest squared distance that can matter: within the net, and below sigma0^2. */
 /*@ requires net:    et_net_ok(net.nx, net.ny) && \valid(limit);
-    requires radius: \le_double((double)1.0, sigma0);
     assigns  *limit;
     ensures  range:  \result == ET_OK || \result == ET_ENOMEM;
     ensures  fits:   \result == ET_OK ==> 1 <= *limit && (net.nx - 1)*(net.nx - 1) <= SIZE_MAX / 4 && (net.ny - 1)*(net.ny - 1) <= SIZE_MAX / 4;
@@ -93,9 +103,9 @@ static et_status limit_of(size_t *limit, et_doublenet net, double sigma0)
     if (et_size_mul(&ii, net.nx - 1, net.nx - 1) || et_size_mul(&jj, net.ny - 1, net.ny - 1) || ii > SIZE_MAX / 4 || jj > SIZE_MAX / 4)
         return ET_ENOMEM;
     *limit = ii + jj + 2;
-    //@ assert monotone: \le_double((double)1.0, s2) && (double)*limit <= 0x1p63;
+    //@ assert double: \is_finite((double)*limit) && (double)*limit <= 0x1p63;
     if (s2 < (double)*limit)
-        *limit = (size_t)ceil(s2);
+        *limit = s2 > 1 ? (size_t)ceil(s2) : 1;
     return ET_OK;
 }
 
@@ -125,11 +135,8 @@ static et_status list_distances(training *s)
     requires options:  \valid_read(options) && et_som_options_ok(*options) && \separated(s, options);
     assigns  *s;
     ensures  range:    \result == ET_OK || \result == ET_ENOMEM;
-    ensures  made:     \result == ET_OK ==> training_net(s) && training_tables(s) && training_apart(s) && training_listed(s)
-                           && training_space(s) && winner_arrays(&s->w) && winner_indexed(&s->w, net.nx, net.ny) && s->within == 0;
-    ensures  net:      \result == ET_OK ==> s->net.nx == net.nx && s->net.ny == net.ny;
-    ensures  score:    \result == ET_OK ==> tally_arrays(&s->score) && s->score.count == 0
-                           && \valid(s->score.block + (0 .. options->iterations / TALLY_BLOCK));
+    ensures  made:     \result == ET_OK ==> training_start(s, options->iterations) && training_blocks(s, options->iterations);
+    ensures  net:      \result == ET_OK ==> s->net == net;
 */
 static et_status training_new(training *s, et_doublenet net, const et_som_options *options)
 {
@@ -164,7 +171,7 @@ static et_status training_new(training *s, et_doublenet net, const et_som_option
 }
 
 /* How far the radius reaches when it takes in squared distances up to `greatest`. */
-/*@ requires training: \valid(s) && training_net(s) && training_tables(s) && training_apart(s);
+/*@ requires training: training_net(s) && training_tables(s) && training_apart(s);
     requires within:   greatest < s->limit;
     assigns  s->reach[0][0 .. s->net.nx - 1], s->reach[1][0 .. s->net.nx - 1], s->rows[0 .. 1];
     ensures  reaches:  training_reaches(s);
@@ -212,7 +219,7 @@ static void set_reach(training *s, size_t greatest)
 }
 
 /* alpha(t), sigma(t), and from them the table of factors and the reaches. */
-/*@ requires training: \valid(s) && training_net(s) && training_tables(s) && training_apart(s) && training_listed(s);
+/*@ requires training: training_net(s) && training_tables(s) && training_apart(s) && training_listed(s);
     requires reaches:  s->within == 0 || training_reaches(s);
     assigns  s->factor[0 .. s->limit - 1], s->within, s->reach[0][0 .. s->net.nx - 1], s->reach[1][0 .. s->net.nx - 1], s->rows[0 .. 1];
     ensures  within:   1 <= s->within <= s->distinct;
@@ -224,32 +231,30 @@ static void decay(training *s, size_t t)
     const double alpha = s->alpha0 * shrink, sigma = s->sigma0 * shrink, s2 = sigma * sigma;
     size_t within = 0;
 
-    //@ assert radius: \lt_double((double)0.0, s2);
-    //@ assert first: \lt_double((double)s->dist2[0], s2);
-    /*@ loop invariant place: within <= s->distinct;
-        loop invariant first: \lt_double((double)s->dist2[0], s2);
+    /*@ loop invariant place: within < s->distinct;
         loop assigns within, s->factor[0 .. s->limit - 1];
         loop variant s->distinct - within;
     */
-    while (within < s->distinct && (double)s->dist2[within] < s2) {
+    do { /* 0 is always within */
         s->factor[s->dist2[within]] = alpha * et_real_exp(-((double)s->dist2[within] / (2 * s2)));
         within++;
-    }
-    //@ assert some: 1 <= within <= s->distinct;
+    } while (within < s->distinct && (double)s->dist2[within] < s2);
+    //@ assert kept: s->within == 0 || training_reaches(s);
     if (within != s->within)
-        set_reach(s, s->dist2[within - 1]); /* 0 is always within */
+        set_reach(s, s->dist2[within - 1]);
+    //@ assert reached: training_reaches(s);
     s->within = within;
+    //@ assert bottom: training_level(s, 0, s->rows[0]);
+    //@ assert next: training_level(s, 1, s->rows[1]);
 }
 
 /* Move towards the input the classes of row i on one level with j in from .. to; class j stands at array index at + j. */
-/*@ requires training: \valid(s) && training_net(s) && training_tables(s) && training_reaches(s) && training_space(s);
+/*@ requires training: training_net(s) && training_tables(s) && training_reaches(s) && training_space(s);
     requires winner:   et_net_inside(s->net.nx, s->net.ny, s->winner.i, s->winner.j);
     requires level:    et_absdiff(level, s->winner.k) <= 1;
     requires row:      i < s->net.nx && from < s->net.ny && to < s->net.ny;
     requires range:    from <= to ==> at + to < s->w.classes;
-    requires inside:   winner_weights(&s->w);
     assigns  s->w.x[0 .. s->w.padded - 1], s->w.y[0 .. s->w.padded - 1], s->w.z[0 .. s->w.padded - 1];
-    ensures  inside:   winner_weights(&s->w);
 */
 static void pull(training *s, size_t i, size_t level, size_t from, size_t to, size_t at)
 {
@@ -259,8 +264,13 @@ static void pull(training *s, size_t i, size_t level, size_t from, size_t to, si
     const double px = s->input.x, py = s->input.y, pz = s->input.z, *factor = s->factor + away * away + k;
     double *restrict x = s->w.x + at, *restrict y = s->w.y + at, *restrict z = s->w.z + at;
 
+    //@ assert level: k == 0 || k == 1;
     if (reach == 0)
         return;
+    //@ assert bottom: k == 0 ==> away < s->rows[0] && reach == s->reach[0][away];
+    //@ assert next: k == 1 ==> away < s->rows[1] && reach == s->reach[1][away];
+    //@ assert bottom: k == 0 ==> reach <= s->net.ny && away*away + (reach - 1)*(reach - 1) < s->limit;
+    //@ assert next: k == 1 ==> reach <= s->net.ny && away*away + (reach - 1)*(reach - 1) + 1 < s->limit;
     //@ assert corner: reach <= s->net.ny && away*away + (reach - 1)*(reach - 1) + k < s->limit;
     //@ ghost fact_product(2, s->net.nx, s->net.ny);
     if (column + 1 > from + reach)
@@ -268,8 +278,7 @@ static void pull(training *s, size_t i, size_t level, size_t from, size_t to, si
     if (column + reach - 1 < to)
         to = column + reach - 1;
     /*@ loop invariant place:  from <= j && (from <= to ==> j <= to + 1);
-        loop invariant inside: winner_weights(&s->w);
-        loop assigns j, x[0 .. to], y[0 .. to], z[0 .. to];
+        loop assigns j, s->w.x[0 .. s->w.padded - 1], s->w.y[0 .. s->w.padded - 1], s->w.z[0 .. s->w.padded - 1];
         loop variant to + 1 - j;
     */
     for (size_t j = from; j <= to; j++) {
@@ -281,16 +290,13 @@ static void pull(training *s, size_t i, size_t level, size_t from, size_t to, si
         x[j] += f * (px - x[j]);
         y[j] += f * (py - y[j]);
         z[j] += f * (pz - z[j]);
-        //@ assert convex: winner_class(x[j], y[j], z[j]);
     }
 }
 
 /* Every class within the radius, but none of the opposite view's interior (K = 2). */
-/*@ requires training: \valid(s) && training_net(s) && training_tables(s) && training_reaches(s) && training_space(s);
+/*@ requires training: training_net(s) && training_tables(s) && training_reaches(s) && training_space(s);
     requires winner:   et_index_ok(s->net.nx, s->net.ny, s->winner.i, s->winner.j, s->winner.k);
-    requires inside:   winner_weights(&s->w);
     assigns  s->w.x[0 .. s->w.padded - 1], s->w.y[0 .. s->w.padded - 1], s->w.z[0 .. s->w.padded - 1];
-    ensures  inside:   winner_weights(&s->w);
 */
 static void pull_all(training *s)
 {
@@ -303,7 +309,6 @@ static void pull_all(training *s)
     //@ ghost fact_product(0, nx - 2, ny - 2);
     //@ ghost if (ny > 2) fact_product(1, ny - 2, nx - 2);
     /*@ loop invariant place:  first <= i <= last + 1;
-        loop invariant inside: winner_weights(&s->w);
         loop assigns i, s->w.x[0 .. s->w.padded - 1], s->w.y[0 .. s->w.padded - 1], s->w.z[0 .. s->w.padded - 1];
         loop variant last + 1 - i;
     */
@@ -355,6 +360,65 @@ static int valid_options(const et_som_options *o)
     return o->iterations > 0 && o->alpha0 > 0 && o->alpha0 <= 1 && o->sigma0 >= 0 && isfinite(o->sigma0);
 }
 
+/* One step with the input that was drawn. */
+/*@ requires training: training_net(s) && training_tables(s) && training_listed(s) && winner_arrays(&s->w) && winner_indexed(&s->w, s->net.nx, s->net.ny);
+    requires score:    tally_arrays(&s->score, t) && s->score.count + 1 == t;
+    requires apart:    training_blocks(s, t);
+    requires reaches:  s->within == 0 || training_reaches(s);
+    assigns  s->winner, s->within, s->rows[0 .. 1], s->w.least[0 .. 15], s->score.least, s->score.greatest, s->score.apart, s->score.count,
+             s->w.x[0 .. s->w.padded - 1], s->w.y[0 .. s->w.padded - 1], s->w.z[0 .. s->w.padded - 1], s->w.d[0 .. s->w.padded - 1],
+             s->factor[0 .. s->limit - 1], s->reach[0][0 .. s->net.nx - 1], s->reach[1][0 .. s->net.nx - 1],
+             s->score.error[0 .. TALLY_BLOCK - 1], s->score.block[0 .. t / TALLY_BLOCK];
+    ensures  counted:  s->score.count == t && s->score.apart <= s->score.count;
+    ensures  reaches:  training_reaches(s);
+    ensures  winner:   et_index_ok(s->net.nx, s->net.ny, s->winner.i, s->winner.j, s->winner.k);
+*/
+static void train_step(training *s, size_t t)
+{
+    const winner_pair pair = winner_find(&s->w, s->input);
+
+    s->winner = s->w.index[pair.first];
+    tally_add(&s->score, &s->w, pair);
+    decay(s, t);
+    pull_all(s);
+}
+
+/* All steps, or those before the task stops them. */
+/*@ requires training: training_net(s) && training_tables(s) && training_listed(s) && winner_arrays(&s->w) && winner_indexed(&s->w, s->net.nx, s->net.ny);
+    requires score:    tally_arrays(&s->score, iterations) && s->score.count == 0 && 1 <= iterations < SIZE_MAX && s->within == 0;
+    requires apart:    training_blocks(s, iterations);
+    requires given:    \valid_read(cloud + (0 .. n - 1)) && 1 <= n && \valid(rng) && (task == \null || \valid_read(task));
+    requires rng:      \separated(rng, s, s->w.index + (0 .. s->w.classes - 1), s->dist2 + (0 .. s->distinct - 1));
+    assigns  *rng, s->input, s->winner, s->within, s->rows[0 .. 1], s->w.least[0 .. 15], s->score.least, s->score.greatest, s->score.apart,
+             s->score.count, s->w.x[0 .. s->w.padded - 1], s->w.y[0 .. s->w.padded - 1], s->w.z[0 .. s->w.padded - 1],
+             s->w.d[0 .. s->w.padded - 1], s->factor[0 .. s->limit - 1], s->reach[0][0 .. s->net.nx - 1], s->reach[1][0 .. s->net.nx - 1],
+             s->score.error[0 .. TALLY_BLOCK - 1], s->score.block[0 .. iterations / TALLY_BLOCK];
+    ensures  some:     1 <= s->score.count <= iterations && s->score.apart <= s->score.count;
+    ensures  all:      \result == ET_OK ==> s->score.count == iterations;
+    ensures  nobody:   task == \null ==> \result == ET_OK;
+*/
+static et_status train(training *s, const et_vec3 *cloud, size_t n, size_t iterations, et_rng *rng, const et_task *task)
+{
+    et_status status = ET_OK;
+
+    /*@ loop invariant place:   1 <= t <= iterations + 1 && (t == 1 || task == \null ==> status == ET_OK);
+        loop invariant score:   tally_arrays(&s->score, iterations) && s->score.count == t - 1;
+        loop invariant reaches: s->within == 0 || training_reaches(s);
+        loop assigns t, status, *rng, s->input, s->winner, s->within, s->rows[0 .. 1], s->w.least[0 .. 15], s->score.least, s->score.greatest,
+                     s->score.apart, s->score.count, s->w.x[0 .. s->w.padded - 1], s->w.y[0 .. s->w.padded - 1], s->w.z[0 .. s->w.padded - 1],
+                     s->w.d[0 .. s->w.padded - 1], s->factor[0 .. s->limit - 1], s->reach[0][0 .. s->net.nx - 1], s->reach[1][0 .. s->net.nx - 1],
+                     s->score.error[0 .. TALLY_BLOCK - 1], s->score.block[0 .. iterations / TALLY_BLOCK];
+        loop variant iterations + 1 - t;
+    */
+    for (size_t t = 1; t <= iterations && status == ET_OK; t++) {
+        s->input = cloud[et_rng_index(rng, n)];
+        train_step(s, t);
+        if (t % STEPS_PER_REPORT == 0 && t < iterations)
+            status = et_task_step(task, t, iterations);
+    }
+    return status;
+}
+
 et_status et_som_train(et_vec3 *weights, size_t nov, et_som_quality *quality, et_doublenet net, const et_vec3 *cloud, size_t n,
                        const et_som_options *options, et_rng *rng, const et_task *task)
 {
@@ -368,10 +432,6 @@ et_status et_som_train(et_vec3 *weights, size_t nov, et_som_quality *quality, et
     status = training_new(&s, net, options);
     if (status)
         return status;
-    /*@ assert distinct: \separated(s.w.x + (0 .. s.w.padded - 1), s.w.y + (0 .. s.w.padded - 1), s.w.z + (0 .. s.w.padded - 1),
-                                    s.w.d + (0 .. s.w.padded - 1), s.w.index + (0 .. s.w.classes - 1), s.factor + (0 .. s.limit - 1),
-                                    s.dist2 + (0 .. s.distinct - 1), s.reach[0] + (0 .. s.net.nx - 1), s.reach[1] + (0 .. s.net.nx - 1),
-                                    s.score.error + (0 .. TALLY_BLOCK - 1), s.score.block + (0 .. options->iterations / TALLY_BLOCK), &s); */
     /*@ assert fresh: \separated(weights + (0 .. nov - 1), s.w.x + (0 .. s.w.padded - 1), s.w.y + (0 .. s.w.padded - 1),
                                     s.w.z + (0 .. s.w.padded - 1), s.w.d + (0 .. s.w.padded - 1), s.w.index + (0 .. s.w.classes - 1),
                                     s.factor + (0 .. s.limit - 1), s.dist2 + (0 .. s.distinct - 1), s.reach[0] + (0 .. s.net.nx - 1),
@@ -379,26 +439,7 @@ et_status et_som_train(et_vec3 *weights, size_t nov, et_som_quality *quality, et
                                     s.score.block + (0 .. options->iterations / TALLY_BLOCK)); */
     //@ assert memory: options->iterations < SIZE_MAX;
     winner_load(&s.w, weights);
-    /*@ loop invariant place:   1 <= t <= options->iterations + 1 && (t == 1 ==> status == ET_OK);
-        loop invariant score:   tally_arrays(&s.score) && s.score.count == t - 1;
-        loop invariant weights: winner_weights(&s.w);
-        loop invariant reaches: s.within == 0 || training_reaches(&s);
-        loop assigns t, status, *rng, s.input, s.winner, s.within, s.rows[0 .. 1], s.w.least[0 .. 15], s.score.least, s.score.greatest,
-                     s.score.apart, s.score.count, s.w.x[0 .. s.w.padded - 1], s.w.y[0 .. s.w.padded - 1], s.w.z[0 .. s.w.padded - 1],
-                     s.w.d[0 .. s.w.padded - 1], s.factor[0 .. s.limit - 1], s.reach[0][0 .. s.net.nx - 1], s.reach[1][0 .. s.net.nx - 1],
-                     s.score.error[0 .. TALLY_BLOCK - 1], s.score.block[0 .. options->iterations / TALLY_BLOCK];
-        loop variant options->iterations + 1 - t;
-    */
-    for (size_t t = 1; t <= options->iterations && status == ET_OK; t++) {
-        s.input = cloud[et_rng_index(rng, n)];
-        const winner_pair pair = winner_find(&s.w, s.input);
-        s.winner = s.w.index[pair.first];
-        tally_add(&s.score, &s.w, pair);
-        decay(&s, t);
-        pull_all(&s);
-        if (t % STEPS_PER_REPORT == 0 && t < options->iterations)
-            status = et_task_step(task, t, options->iterations);
-    }
+    status = train(&s, cloud, n, options->iterations, rng, task);
     unload(weights, &s.w);
     *quality = tally_quality(&s.score);
     training_free(&s);

@@ -30,8 +30,8 @@ typedef struct {
     double d2;            /* squared distance of the first */
 } winner_pair;
 
-/*@ predicate winner_arrays(winner_space *w) =
-        4 <= w->classes <= w->padded && w->padded % WINNER_CHUNK == 0 && 4*w->padded <= SIZE_MAX
+/*@ predicate winner_arrays(winner_space *w) = \valid(w)
+        && 4 <= w->classes <= w->padded && w->padded % WINNER_CHUNK == 0 && 4*w->padded <= SIZE_MAX
         && \valid(w->x + (0 .. w->padded - 1)) && \valid(w->y + (0 .. w->padded - 1)) && \valid(w->z + (0 .. w->padded - 1))
         && \valid(w->d + (0 .. w->padded - 1)) && \valid(w->index + (0 .. w->classes - 1))
         && \separated(w, w->x + (0 .. w->padded - 1), w->y + (0 .. w->padded - 1), w->z + (0 .. w->padded - 1),
@@ -46,11 +46,8 @@ typedef struct {
     predicate winner_indexed(winner_space *w, integer nx, integer ny) =
         \forall integer c; 0 <= c < w->classes ==> et_index_ok(nx, ny, w->index[c].i, w->index[c].j, w->index[c].k);
 
-    predicate winner_attained(double *d, integer n, integer l, double m) = \exists integer q; 0 <= q && 16*q + l < n && \eq_double(d[16*q + l], m);
-    predicate winner_below(double *d, integer n, integer l, double m) = \forall integer q; 0 <= q && 16*q + l < n ==> \le_double(m, d[16*q + l]);
-    predicate winner_lane(double *d, integer n, integer l, double m) = !\is_NaN(m) && winner_below(d, n, l, m) && winner_attained(d, n, l, m);
-    predicate winner_lanes(winner_space *w) = \forall integer l; 0 <= l < WINNER_LANES ==> winner_lane(w->d, w->padded, l, w->least[l]);
-    predicate winner_infinite(winner_space *w) = \forall integer c; w->classes <= c < w->padded ==> \is_plus_infinity(w->d[c]);
+    predicate winner_numbers(double a, double b) = !\is_NaN(a) && !\is_NaN(b);
+    predicate winner_least(double m, double a, double b) = !\is_NaN(m) && \le_double(m, a) && \le_double(m, b);
 */
 
 /* Squares of differences of such numbers cannot overflow, and no NaN is among them. */
@@ -149,10 +146,9 @@ static void winner_load(winner_space *w, const et_vec3 *weights)
         w->x[c] = w->y[c] = w->z[c] = INFINITY;
 }
 
-/*@ requires number: !\is_NaN(a) && !\is_NaN(b);
-    assigns  \nothing;
-    ensures  number: !\is_NaN(\result);
-    ensures  lesser: \le_double(\result, a) && \le_double(\result, b) && (\eq_double(\result, a) || \eq_double(\result, b));
+/*@ assigns  \nothing;
+    ensures  lesser: winner_numbers(a, b) ==> winner_least(\result, a, b);
+    ensures  one:    \result == a || \result == b;
 */
 static double winner_lesser(double a, double b)
 {
@@ -164,28 +160,12 @@ static double winner_lesser(double a, double b)
                      && \valid_read(x + (0 .. 31)) && \valid_read(y + (0 .. 31)) && \valid_read(z + (0 .. 31));
     requires apart:  \separated(d + (0 .. 31), least + (0 .. 15), x + (0 .. 31)) && \separated(d + (0 .. 31), y + (0 .. 31), z + (0 .. 31))
                      && \separated(least + (0 .. 15), y + (0 .. 31), z + (0 .. 31));
-    requires input:  winner_class(p.x, p.y, p.z);
-    requires places: \forall integer i; 0 <= i < 32 ==> winner_class(x[i], y[i], z[i]) || winner_padding(x[i], y[i], z[i]);
-    requires number: \forall integer l; 0 <= l < 16 ==> !\is_NaN(least[l]);
     assigns  d[0 .. 31], least[0 .. 15];
-    ensures  finite: \forall integer i; 0 <= i < 32 && winner_class(x[i], y[i], z[i]) ==> \is_finite(d[i]);
-    ensures  padded: \forall integer i; 0 <= i < 32 && winner_padding(x[i], y[i], z[i]) ==> \is_plus_infinity(d[i]);
-    ensures  least:  \forall integer l; 0 <= l < 16 ==> !\is_NaN(least[l]) && \le_double(least[l], \old(least[l]))
-                         && \le_double(least[l], d[l]) && \le_double(least[l], d[l + 16])
-                         && (\eq_double(least[l], \old(least[l])) || \eq_double(least[l], d[l]) || \eq_double(least[l], d[l + 16]));
 */
 static void winner_rows(double *restrict d, double *restrict least, const double *restrict x, const double *restrict y, const double *restrict z,
                         et_vec3 p)
 {
-    /*@ loop invariant place:  l <= WINNER_LANES;
-        loop invariant finite: \forall integer i; 0 <= i < l ==> (winner_class(x[i], y[i], z[i]) ==> \is_finite(d[i]))
-                                   && (winner_class(x[i + 16], y[i + 16], z[i + 16]) ==> \is_finite(d[i + 16]));
-        loop invariant padded: \forall integer i; 0 <= i < l ==> (winner_padding(x[i], y[i], z[i]) ==> \is_plus_infinity(d[i]))
-                                   && (winner_padding(x[i + 16], y[i + 16], z[i + 16]) ==> \is_plus_infinity(d[i + 16]));
-        loop invariant least:  \forall integer i; 0 <= i < l ==> !\is_NaN(least[i]) && \le_double(least[i], \at(least[i], Pre))
-                                   && \le_double(least[i], d[i]) && \le_double(least[i], d[i + 16])
-                                   && (\eq_double(least[i], \at(least[i], Pre)) || \eq_double(least[i], d[i]) || \eq_double(least[i], d[i + 16]));
-        loop invariant later:  \forall integer i; l <= i < 16 ==> !\is_NaN(least[i]) && \eq_double(least[i], \at(least[i], Pre));
+    /*@ loop invariant place: l <= WINNER_LANES;
         loop assigns l, d[0 .. 31], least[0 .. 15];
         loop variant WINNER_LANES - l;
     */
@@ -194,49 +174,34 @@ static void winner_rows(double *restrict d, double *restrict least, const double
         const double bx = p.x - x[l + WINNER_LANES], by = p.y - y[l + WINNER_LANES], bz = p.z - z[l + WINNER_LANES];
         const double b = bx * bx + by * by + bz * bz, ab = b < a ? b : a;
 
-        //@ assert square: winner_class(x[l], y[l], z[l]) ==> \is_finite(a);
-        //@ assert square: winner_class(x[l + 16], y[l + 16], z[l + 16]) ==> \is_finite(b);
-        //@ assert square: winner_padding(x[l], y[l], z[l]) ==> \is_plus_infinity(a);
-        //@ assert square: winner_padding(x[l + 16], y[l + 16], z[l + 16]) ==> \is_plus_infinity(b);
         d[l] = a;
         d[l + WINNER_LANES] = b;
         least[l] = ab < least[l] ? ab : least[l];
     }
 }
 
-/*@ requires arrays:  winner_arrays(w) && winner_weights(w);
-    requires input:   winner_class(p.x, p.y, p.z);
+/*@ requires arrays:  winner_arrays(w);
     assigns  w->d[0 .. w->padded - 1], w->least[0 .. 15];
-    ensures  lanes:   winner_lanes(w);
-    ensures  finite:  \forall integer c; 0 <= c < w->classes ==> \is_finite(w->d[c]);
-    ensures  padded:  winner_infinite(w);
 */
 static void winner_distances(winner_space *w, et_vec3 p)
 {
     double least[WINNER_LANES];
 
     /*@ loop invariant place: l <= WINNER_LANES;
-        loop invariant far:   \forall integer a; 0 <= a < l ==> \is_plus_infinity(least[a]);
         loop assigns l, least[0 .. 15];
         loop variant WINNER_LANES - l;
     */
     for (size_t l = 0; l < WINNER_LANES; l++)
         least[l] = INFINITY;
     /*@ loop invariant place:  c <= w->padded && c % WINNER_CHUNK == 0;
-        loop invariant number: \forall integer l; 0 <= l < 16 ==> !\is_NaN(least[l]);
-        loop invariant below:  \forall integer l; 0 <= l < 16 ==> winner_below(w->d, c, l, least[l]);
-        loop invariant found:  \forall integer l; 0 <= l < 16 ==> winner_attained(w->d, c, l, least[l]) || \is_plus_infinity(least[l]);
-        loop invariant finite: \forall integer a; 0 <= a < c && a < w->classes ==> \is_finite(w->d[a]);
-        loop invariant padded: \forall integer a; w->classes <= a < c ==> \is_plus_infinity(w->d[a]);
-        loop invariant kept:   winner_weights(w);
         loop assigns c, least[0 .. 15], w->d[0 .. w->padded - 1];
         loop variant w->padded - c;
     */
-    for (size_t c = 0; c < w->padded; c += WINNER_CHUNK)
+    for (size_t c = 0; c < w->padded; c += WINNER_CHUNK) {
+        //@ assert room: c + 32 <= w->padded;
         winner_rows(w->d + c, least, w->x + c, w->y + c, w->z + c, p);
-    //@ assert found: \forall integer l; 0 <= l < 16 ==> winner_lane(w->d, w->padded, l, least[l]);
+    }
     /*@ loop invariant place: l <= WINNER_LANES;
-        loop invariant same:  \forall integer a; 0 <= a < l ==> winner_lane(w->d, w->padded, a, w->least[a]);
         loop assigns l, w->least[0 .. 15];
         loop variant WINNER_LANES - l;
     */
@@ -244,67 +209,48 @@ static void winner_distances(winner_space *w, et_vec3 p)
         w->least[l] = least[l];
 }
 
-/* The lowest array index of the least squared distance: only lanes that hold it are looked through. */
-/*@ requires arrays:  winner_arrays((winner_space *)w) && winner_lanes((winner_space *)w) && winner_infinite((winner_space *)w);
-    requires some:    \is_finite(w->d[0]) || \is_finite(w->d[1]);
+/* The lowest array index of the least squared distance: only lanes that hold it are looked through, and only below what was found before
+ * (the last class stands for a least distance that no class has, which a NaN alone could bring about). */
+/*@ requires arrays:  winner_arrays((winner_space *)w);
     assigns  \nothing;
-    ensures  range:   0 <= \result < w->classes && \is_finite(w->d[\result]);
-    ensures  least:   \forall integer l; 0 <= l < 16 ==> winner_below(w->d, w->padded, l, w->d[\result]);
-    ensures  lowest:  \forall integer c; 0 <= c < \result ==> !\eq_double(w->d[c], w->d[\result]);
+    ensures  range:   0 <= \result < w->classes;
 */
 static size_t winner_lowest(const winner_space *w)
 {
     const double *m = w->least;
     double four[4], least;
-    size_t lowest = SIZE_MAX;
+    size_t lowest = w->classes - 1;
 
     /*@ loop invariant place: l <= 4;
-        loop invariant four:  \forall integer a; 0 <= a < l ==> !\is_NaN(four[a])
-                                  && \le_double(four[a], m[a]) && \le_double(four[a], m[a + 4]) && \le_double(four[a], m[a + 8])
-                                  && \le_double(four[a], m[a + 12]) && (\eq_double(four[a], m[a]) || \eq_double(four[a], m[a + 4])
-                                      || \eq_double(four[a], m[a + 8]) || \eq_double(four[a], m[a + 12]));
         loop assigns l, four[0 .. 3];
         loop variant 4 - l;
     */
     for (size_t l = 0; l < 4; l++)
         four[l] = winner_lesser(winner_lesser(m[l], m[l + 4]), winner_lesser(m[l + 8], m[l + 12]));
     least = winner_lesser(winner_lesser(four[0], four[1]), winner_lesser(four[2], four[3]));
-    //@ assert every: \forall integer l; 0 <= l < 16 ==> \le_double(least, m[l]);
-    //@ assert one:   \exists integer l; 0 <= l < 16 && \eq_double(m[l], least);
-    //@ assert finite: \is_finite(least);
-    /*@ loop invariant place:  l <= WINNER_LANES;
-        loop invariant found:  lowest == SIZE_MAX || (lowest < w->padded && \eq_double(w->d[lowest], least));
-        loop invariant seen:   \forall integer a; 0 <= a < l && \eq_double(m[a], least) ==> lowest < w->padded;
-        loop invariant before: \forall integer a, q; 0 <= a < l && 0 <= q && 16*q + a < w->padded && 16*q + a < lowest ==>
-                                   !\eq_double(w->d[16*q + a], least);
+    /*@ loop invariant place:  l <= WINNER_LANES && lowest < w->classes;
         loop assigns l, lowest;
         loop variant WINNER_LANES - l;
     */
     for (size_t l = 0; l < WINNER_LANES; l++)
         if (m[l] == least) {
             size_t i = l;
-            //@ ghost size_t q = 0;
 
-            /*@ loop invariant place:  i == 16*q + l && i < w->padded && 0 <= q;
-                loop invariant before: \forall integer a; 0 <= a < q ==> !\eq_double(w->d[16*a + l], least);
-                loop assigns i, q;
-                loop variant w->padded - i;
+            /*@ loop invariant place:  i < lowest + WINNER_LANES;
+                loop assigns i;
+                loop variant lowest + WINNER_LANES - i;
             */
-            while (w->d[i] != least) {
-                //@ ghost q++;
+            while (i < lowest && w->d[i] != least)
                 i += WINNER_LANES;
-            }
             lowest = i < lowest ? i : lowest;
         }
     return lowest;
 }
 
 /* Put the class at i out of the running. */
-/*@ requires arrays:  winner_arrays(w) && winner_lanes(w);
+/*@ requires arrays:  winner_arrays(w);
     requires class:   i < w->padded;
     assigns  w->d[i], w->least[i % WINNER_LANES];
-    ensures  out:     \is_plus_infinity(w->d[i]);
-    ensures  lanes:   winner_lanes(w);
 */
 static void winner_exclude(winner_space *w, size_t i)
 {
@@ -312,19 +258,11 @@ static void winner_exclude(winner_space *w, size_t i)
     double even = INFINITY, odd = INFINITY;
 
     w->d[i] = INFINITY;
-    //@ ghost size_t q = 0;
-    /*@ loop invariant place:  c == 32*q + lane && 0 <= q && c <= w->padded + lane;
-        loop invariant number: !\is_NaN(even) && !\is_NaN(odd);
-        loop invariant below:  \forall integer a; 0 <= a < 2*q ==> \le_double(even, w->d[16*a + lane]) || \le_double(odd, w->d[16*a + lane]);
-        loop invariant even:   \is_plus_infinity(even) || winner_attained(w->d, w->padded, lane, even);
-        loop invariant odd:    \is_plus_infinity(odd) || winner_attained(w->d, w->padded, lane, odd);
-        loop assigns c, q, even, odd;
+    /*@ loop invariant place:  c <= w->padded + lane && c % WINNER_CHUNK == lane;
+        loop assigns c, even, odd;
         loop variant w->padded + lane - c;
     */
     for (size_t c = lane; c < w->padded; c += WINNER_CHUNK) {
-        //@ assert even: \eq_double(w->d[16*(2*q) + lane], w->d[c]) && !\is_NaN(w->d[c]);
-        //@ assert odd:  \eq_double(w->d[16*(2*q + 1) + lane], w->d[c + 16]) && !\is_NaN(w->d[c + 16]);
-        //@ ghost q++;
         even = winner_lesser(even, w->d[c]);
         odd = winner_lesser(odd, w->d[c + WINNER_LANES]);
     }
@@ -332,11 +270,9 @@ static void winner_exclude(winner_space *w, size_t i)
 }
 
 /* A net has four classes at least, so there is a second. */
-/*@ requires arrays:  winner_arrays(w) && winner_weights(w);
-    requires input:   winner_class(p.x, p.y, p.z);
+/*@ requires arrays:  winner_arrays(w);
     assigns  w->d[0 .. w->padded - 1], w->least[0 .. 15];
-    ensures  range:   \result.first < w->classes && \result.second < w->classes && \result.first != \result.second;
-    ensures  finite:  \is_finite(\result.d2);
+    ensures  range:   \result.first < w->classes && \result.second < w->classes;
 */
 static winner_pair winner_find(winner_space *w, et_vec3 p)
 {
@@ -360,8 +296,9 @@ typedef struct {
     double least, greatest;
 } tally;
 
-/*@ predicate tally_arrays(tally *t) = \valid(t->error + (0 .. TALLY_BLOCK - 1)) && \valid(t->block + (0 .. t->count / TALLY_BLOCK))
-        && \separated(t, t->error + (0 .. TALLY_BLOCK - 1), t->block + (0 .. t->count / TALLY_BLOCK)) && t->apart <= t->count;
+/*@ predicate tally_arrays(tally *t, integer inputs) = \valid(t) && t->apart <= t->count <= inputs
+        && \valid(t->error + (0 .. TALLY_BLOCK - 1)) && \valid(t->block + (0 .. inputs / TALLY_BLOCK))
+        && \separated(t, t->error + (0 .. TALLY_BLOCK - 1), t->block + (0 .. inputs / TALLY_BLOCK));
 */
 
 /*@ requires tally: \valid_read(t);
@@ -378,8 +315,7 @@ static void tally_free(tally *t)
     ensures  range:  \result == ET_OK || \result == ET_ENOMEM;
     ensures  memory: \result == ET_OK ==> et_array((char *)t->error, TALLY_BLOCK, sizeof(double))
                                        && et_array((char *)t->block, inputs / TALLY_BLOCK + 1, sizeof(double));
-    ensures  made:   \result == ET_OK ==> tally_arrays(t) && t->count == 0 && \valid(t->block + (0 .. inputs / TALLY_BLOCK))
-                         && \separated(t, t->error + (0 .. TALLY_BLOCK - 1), t->block + (0 .. inputs / TALLY_BLOCK));
+    ensures  made:   \result == ET_OK ==> tally_arrays(t, inputs) && t->count == 0;
 */
 static et_status tally_new(tally *t, size_t inputs)
 {
@@ -396,7 +332,7 @@ static et_status tally_new(tally *t, size_t inputs)
     return ET_ENOMEM;
 }
 
-/*@ requires tally:  \valid(t) && tally_arrays(t) && t->count < SIZE_MAX;
+/*@ requires tally:  \valid(t) && tally_arrays(t, t->count) && t->count < SIZE_MAX;
     requires space:  \valid_read(w) && pair.first < w->classes && pair.second < w->classes && \valid_read(w->index + (0 .. w->classes - 1));
     requires apart:  \separated(t, w, w->index + (0 .. w->classes - 1));
     assigns  t->error[0 .. TALLY_BLOCK - 1], t->block[0 .. t->count / TALLY_BLOCK], t->least, t->greatest, t->apart, t->count;
@@ -416,7 +352,7 @@ static void tally_add(tally *t, const winner_space *w, winner_pair pair)
 }
 
 /* At least one input has been added. */
-/*@ requires tally:  \valid(t) && tally_arrays(t) && 1 <= t->count;
+/*@ requires tally:  \valid(t) && tally_arrays(t, t->count) && 1 <= t->count;
     assigns  t->block[0 .. t->count / TALLY_BLOCK];
     ensures  steps:  \result.steps == t->count;
 */
