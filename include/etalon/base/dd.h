@@ -2,7 +2,8 @@
  * Popescu 2017, whose algorithms' numbers are given below as JMP; Lefevre, Louvet, Muller, Picot and Rideau 2023 for the root).
  *
  * Error bounds are relative, in u = 2^-53, and proved in those papers for operands in normal form (et_dd_normal: hi = hi + lo rounded to nearest) where
- * nothing overflows and no product underflows; each contract says what range is enough.  No fused multiply-add is used, so that every processor computes
+ * nothing overflows and no product underflows; each contract says what range is enough (proofs/README.md: which of them
+ * Coq proves of this code, too).  No fused multiply-add is used, so that every processor computes
  * the same bits.  Outside the range hi is still what the same steps give in IEEE 754, but lo may be NaN or off.
  */
 #ifndef ETALON_BASE_DD_H
