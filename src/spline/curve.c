@@ -142,17 +142,17 @@ et_vec3 et_curve_point(const et_curve *c, double x, double *work, size_t nwork)
 static void pascal(double *binomial, size_t k)
 {
     binomial[k] = 1.0;
-    /*@ loop invariant place: i <= k && (k == 0 ==> i == 0) && (k > 0 ==> i >= 1);
+    /*@ loop invariant place: i <= k;
         loop assigns i, binomial[0 .. k];
         loop variant i;
     */
-    for (size_t i = k; i-- > 1;) {
-        binomial[i] += binomial[i - 1];
+    for (size_t i = k; i > 1; i--) {
+        binomial[i - 1] += binomial[i - 2];
     }
 }
 
 /* Eq. 4.8: (A - sum_i C(k,i) w_i D_{k-i}) / w_0, i = 1..k, as w_i = 0 beyond the degree. */
-/*@ requires D:    \valid_read(D + (0 .. k - 1));
+/*@ requires D:    k < SIZE_MAX && \valid_read(D + (0 .. k - 1));
     requires rows: \valid_read(w + (0 .. k)) && \valid_read(binomial + (0 .. k));
     assigns  \nothing;
 */

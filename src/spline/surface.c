@@ -136,6 +136,7 @@ size_t et_surface_work(const et_surface *s)
     requires room:  et_surface_room((et_surface *)s) <= SIZE_MAX && \valid(work + (0 .. et_surface_room((et_surface *)s) - 1));
     assigns  \nothing;
     ensures  rows:  \result.N == work && \result.M == work + 3*(s->p + 1) && \result.basis == work + 3*(s->p + 1) + 15*(s->q + 1);
+    ensures  small: 3*(s->p + 1) + 15*(s->q + 1) <= SIZE_MAX;
     ensures  valid: \valid(\result.N + (0 .. 3*(s->p + 1) - 1)) && \valid(\result.M + (0 .. 3*(s->q + 1) - 1));
     ensures  sums:  \result.T == (surface_point *)(work + 3*(s->p + 1) + 3*(s->q + 1)) && \valid(\result.T + (0 .. 3*(s->q + 1) - 1));
     ensures  basis: 2*(s->p + 1) <= \result.nbasis && 2*(s->q + 1) <= \result.nbasis && \valid(\result.basis + (0 .. \result.nbasis - 1));
