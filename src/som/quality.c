@@ -24,7 +24,7 @@ et_status et_quality_of(et_som_quality *quality, const et_vec3 *weights, size_t 
                                      w.d + (0 .. w.padded - 1), score.error + (0 .. TALLY_BLOCK - 1), score.block + (0 .. n / TALLY_BLOCK)); */
         winner_load(&w, weights);
         /*@ loop invariant place:   i <= n;
-            loop invariant score:   tally_arrays(&score) && score.count == i;
+            loop invariant score:   tally_arrays(&score, n) && score.count == i;
             loop invariant weights: winner_weights(&w);
             loop assigns i, w.least[0 .. 15], w.d[0 .. w.padded - 1], score.least, score.greatest, score.apart, score.count,
                          score.error[0 .. TALLY_BLOCK - 1], score.block[0 .. n / TALLY_BLOCK];

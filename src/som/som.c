@@ -361,7 +361,8 @@ static int valid_options(const et_som_options *o)
 }
 
 /* One step with the input that was drawn. */
-/*@ requires training: training_net(s) && training_tables(s) && training_listed(s) && winner_arrays(&s->w) && winner_indexed(&s->w, s->net.nx, s->net.ny);
+/*@ requires training: training_net(s) && training_tables(s) && training_listed(s)
+                           && winner_arrays(&s->w) && winner_indexed(&s->w, s->net.nx, s->net.ny);
     requires score:    tally_arrays(&s->score, t) && s->score.count + 1 == t;
     requires apart:    training_blocks(s, t);
     requires reaches:  s->within == 0 || training_reaches(s);
@@ -384,7 +385,8 @@ static void train_step(training *s, size_t t)
 }
 
 /* All steps, or those before the task stops them. */
-/*@ requires training: training_net(s) && training_tables(s) && training_listed(s) && winner_arrays(&s->w) && winner_indexed(&s->w, s->net.nx, s->net.ny);
+/*@ requires training: training_net(s) && training_tables(s) && training_listed(s)
+                           && winner_arrays(&s->w) && winner_indexed(&s->w, s->net.nx, s->net.ny);
     requires score:    tally_arrays(&s->score, iterations) && s->score.count == 0 && 1 <= iterations < SIZE_MAX && s->within == 0;
     requires apart:    training_blocks(s, iterations);
     requires given:    \valid_read(cloud + (0 .. n - 1)) && 1 <= n && \valid(rng) && (task == \null || \valid_read(task));

@@ -72,7 +72,8 @@ void et_som_start(et_vec3 *weights, size_t nov, et_rng *rng);
  * The callback of task is asked after steps 1000, 2000, ... before the last.
  * ET_EINVAL: no net, nov not its NOV, n == 0, options out of range, a coordinate not finite or beyond 2^500 (the cloud is meant to
  * lie in the unit cube).  ET_ENOMEM.  In both cases nothing is changed and nothing drawn.  Any status of the task: weights and quality are those
- * of the steps made.
+ * of the steps made.  What the callback writes of its own is not among what is assigned below: it has to be apart from
+ * all that is given here (task.h).
  * Golden rows of class bits: trained weights of small nets. */
 /*@ requires weights:   \valid(weights + (0 .. nov - 1));
     requires quality:   \valid(quality);
