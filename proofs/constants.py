@@ -50,6 +50,8 @@ PLACES = {
 }
 # What `make accuracy` measures against: degree d in both directions.
 MEASURED = {"basis function": "6 * d - 1", "sum of the basis functions": "4 * d - 1", "derivatives of basis functions": "6 * d + 2"}
+# The columns of the table of what was measured, "worst of bound".
+COLUMNS = ["basis function", "sum of the basis functions", "derivatives of basis functions", "derivatives of basis functions", "surface point", "rational surface point"]
 # Degree 3: Gappa's constants may be smaller, never larger.
 GAPPA = {"proofs/gappa/basis3.g": 17, "proofs/gappa/basis3_knot.g": 17, "proofs/gappa/sum3.g": 11}
 
@@ -81,6 +83,18 @@ def main():
         if formula not in measured or plain(formula).replace("d", "p") != plain(re.search(PLACES[name][0][1], read(ROUNDING), re.S).group(1)):
             wrong += 1
             print("%s: tests/bench/accuracy.c does not measure against %s" % (name, formula))
+    theorem = {name: re.search(PLACES[name][0][1], read(ROUNDING), re.S) for name in COLUMNS}
+    rows = re.findall(r"^\| (\d+) \|(.*)\|$", read(ACCURACY).split("<!-- measured -->")[1], re.M)
+    for degree, cells in rows:
+        for name, cell in zip(COLUMNS, cells.split("|")):
+            bound = re.search(r"of (\d+)", cell)
+            found += bound is not None
+            if bound and int(bound.group(1)) != eval(theorem[name].group(1), {"p": int(degree), "q": int(degree)}):
+                wrong += 1
+                print("%s: %s promises %s at degree %s" % (name, ACCURACY, bound.group(1), degree))
+    if not rows:
+        wrong += 1
+        print("%s has no table of what was measured" % ACCURACY)
     for f, most in GAPPA.items():
         numbers = re.findall(r"<= ([0-9.]+e-[0-9]+)", read(f))
         found += len(numbers)
