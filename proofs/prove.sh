@@ -34,7 +34,8 @@ golden=golden/proofs proved=golden/proofs/proved.tsv
 passed=0 failed=0
 good() { echo "ok $1"; passed=$((passed + 1)); }
 bad() { echo "FAIL $1"; failed=$((failed + 1)); }
-trap 'exit 130' INT TERM
+# A shell's jobs in the background do not hear Ctrl-C.
+trap 'trap - INT TERM; kill 0; exit 130' INT TERM
 
 # The files on which a piece depends.
 inputs() {
@@ -123,7 +124,7 @@ coq() {
     fi
     same $golden/assumptions.txt "$build/coq/Assumptions.out" && same $golden/rounding_assumptions.txt "$build/coq/RoundingAssumptions.out" &&
         same $golden/theorems.txt "$build/coq/Theorems.out" || right=
-    [ -n "$right" ] && good 'coq: definitions, statements and axioms are the golden ones' && record coq && return
+    [ -n "$right" ] && good 'coq: definitions, statements and axioms are the golden ones' && return
     bad 'coq: definitions, statements or axioms are not the golden ones'
 }
 
@@ -144,13 +145,29 @@ gappa_all() {
 
 eva() {
     wants frama-c eva || return
-    right=yes
     # shellcheck disable=SC2086
-    sh proofs/eva.sh $accept "$build/eva" ${EVA-} > "$build/eva.log" 2>&1 || right=
+    sh proofs/eva.sh $accept "$build/eva" ${EVA-} > "$build/eva.log" 2>&1
+    code=$?
     grep -v ' passed, ' "$build/eva.log"
-    passed=$((passed + $(grep -c '^ok' "$build/eva.log")))
-    [ -n "$right" ] && record eva && return
-    failed=$((failed + 1))
+    [ "$code" -eq 0 ] || grep -q '^FAIL' "$build/eva.log" || bad eva
+}
+
+# Of the pieces those that are not units and take minutes, each beside the others and the units.
+beside() {
+    for piece; do
+        case $piece in coq | eva) ;; *) continue ;; esac
+        [ -n "$quick" ] && unchanged "$piece" && continue
+        { "$piece"; echo 'to the end'; } > "$build/$piece.out" 2>&1 &
+    done
+}
+
+# What such a piece said, when it is done.
+said() {
+    sed '$d' "$build/$1.out"
+    passed=$((passed + $(grep -c '^ok' "$build/$1.out"))) wrong=$(grep -c '^FAIL' "$build/$1.out")
+    failed=$((failed + wrong))
+    [ "$(tail -n 1 "$build/$1.out")" = 'to the end' ] || { bad "$1: it was stopped"; return; }
+    [ "$wrong" -gt 0 ] || record "$1"
 }
 
 # The units among the pieces that are to be proved, several at once, since WP itself waits more than it works; each is printed when it is done.
@@ -186,7 +203,9 @@ if [ -n "$changed" ]; then
     exit 0
 fi
 [ $# -gt 0 ] || set -- $units quote tie constants gappa coq eva
+beside "$@"
 units "$@"
+wait
 for piece; do
     case $piece in
     quote) sh proofs/coq/quote.sh > "$build/quote.log" 2>&1 && good "quote: $(tail -n 1 "$build/quote.log")" || { cat "$build/quote.log"; bad quote; } ;;
@@ -198,9 +217,8 @@ for piece; do
             continue
         fi
         case $piece in
-        coq) coq ;;
+        coq | eva) said "$piece" ;;
         gappa) gappa_all ;;
-        eva) eva ;;
         *) unit "$piece" ;;
         esac
         ;;

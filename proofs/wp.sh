@@ -1,9 +1,11 @@
 #!/bin/sh
 # wp.sh [--accept] CACHE UNIT...: Frama-C's WP proves the contracts of each unit of proofs/wp.tsv, every goal, or this fails.
 #
-# Run-time errors count, the wrapping of unsigned integers too, and smoke tests look for contradictory preconditions.  Provers get a limit of steps, the same
-# on every machine; the time limit is only a safety net.  golden/proofs/UNIT.tsv has the number of goals of each function: another number is a
-# failure, so that no goal gets lost; --accept writes it anew.  Of what was proved CACHE keeps the answers, so that a run that was stopped goes on.
+# Run-time errors count, the wrapping of unsigned integers too.  Provers get a limit of steps, the same on every machine; the time limit is only a
+# safety net.  Smoke tests, in a second pass, look for contradictory preconditions, calls that cannot return and statements that cannot be reached:
+# z3, which only instantiates there and so stops soon, tries to prove "false" with as many steps as a goal gets.
+# golden/proofs/UNIT.tsv has the number of goals and of smoke tests of each function: another number is a failure, so that none gets lost;
+# --accept writes it anew.  Of what was proved CACHE keeps the answers, so that a run that was stopped goes on.
 # The options of a unit add provers (-wp-prover A) or say which alone are asked (-wp-prover=A).
 # WPFLAGS: further options, such as -wp-fct NAME while working (then nothing is compared).
 set -u
@@ -23,48 +25,79 @@ trap 'rm -rf "$tmp"' EXIT
 trap 'exit 130' INT TERM
 passed=0 failed=0
 
-# "function goals", sorted, from WP's report.
+# Why3's library, without what no driver here hands to a prover (why3/ieee_float.unused), and the configuration that finds it.
+library() {
+    share=$(sed -n 's/^datadir = "\(.*\)"/\1/p' proofs/why3.conf)
+    mkdir -p "$tmp/share/stdlib" && ln -s "$share"/* "$tmp/share" 2> /dev/null
+    ln -s "$share"/stdlib/* "$tmp/share/stdlib" && rm "$tmp/share/stdlib/ieee_float.mlw" &&
+        awk -f proofs/why3/prune.awk proofs/why3/ieee_float.unused "$share/stdlib/ieee_float.mlw" > "$tmp/share/stdlib/ieee_float.mlw" &&
+        sed "s#^datadir = .*#datadir = \"$tmp/share\"#" proofs/why3.conf > "$tmp/why3.conf"
+}
+
+# "function goals smoke tests", sorted, from WP's two reports; 1 if a smoke test failed.
 counts() {
-    python3 - "$1" <<'EOF'
+    python3 - "$1" "$2" <<'EOF'
 import json
 import sys
-functions = json.load(open(sys.argv[1]))["wp:functions"]
-for name in sorted(functions):
-    main = functions[name]["wp:section"]["wp:main"]
-    print("%s\t%d" % (name, main["total"]))
+goals, smoke = (json.load(open(name))["wp:functions"] for name in sys.argv[1:])
+failed = 0
+for name in sorted(set(goals) | set(smoke)):
+    tests = [value["wp:main"] for key, value in smoke.get(name, {}).items() if "_wp_smoke_" in key]
+    failed += sum(test["total"] - test.get("valid", 0) for test in tests)
+    total = goals[name]["wp:section"]["wp:main"]["total"] if name in goals else 0
+    if total or tests:
+        print("%s\t%d\t%d" % (name, total, sum(test["total"] for test in tests)))
+sys.exit(failed > 0)
 EOF
 }
 
-# WP on the source, with what helps the provers for that module; the log is left in $tmp/log.
-prove() {
+# wp NAME OPTION...: Frama-C on the source, with what helps the provers for that module; $tmp/NAME.log and NAME.json are left.
+wp() {
+    name=$1
+    shift
     helps=proofs/logic/$(echo "$unit" | sed 's/_theorems$//').h
     [ -f "$helps" ] || helps=proofs/logic/logic.h
-    [ "$left_out" = - ] && left_out= || left_out="-wp-skip-fct $left_out"
-    [ "$options" = - ] && options=
-    provers=cvc4axf,z3axf
-    [ "${options#*-wp-prover=}" = "$options" ] || provers=none
-    rm -f "$tmp/report.json"
-    # shellcheck disable=SC2086
-    (cd proofs && WHY3CONFIG=$PWD/why3.conf nice frama-c -machdep gcc_x86_64 -cpp-extra-args="-I../include -I../src -include $PWD/../$helps" -wp -wp-rte \
-        -warn-unsigned-overflow -wp-smoke-tests -wp-prover $provers -wp-par 2 -wp-steps 400000 -wp-timeout 120 -wp-cache update \
-        -wp-cache-dir "$cache" $options $left_out -wp-report-json "$tmp/report.json" ${WPFLAGS-} "../$source") > "$tmp/log" 2>&1 < /dev/null
+    rm -f "$tmp/$name.json"
+    (cd proofs && WHY3CONFIG=$tmp/why3.conf nice frama-c -machdep gcc_x86_64 -cpp-extra-args="-I../include -I../src -include $PWD/../$helps" -wp -wp-rte \
+        -warn-unsigned-overflow -wp-no-pruning -wp-par 3 -wp-steps 400000 -wp-cache update -wp-cache-dir "$cache" "$@" -wp-report-json "$tmp/$name.json" ${WPFLAGS-} \
+        "../$source") > "$tmp/$name.log" 2>&1 < /dev/null
 }
 
+# Every goal by the provers of the unit.
+# shellcheck disable=SC2086
+prove() {
+    provers=cvc4axf,z3axf
+    [ "${options#*-wp-prover=}" = "$options" ] || provers=none
+    wp goals -wp-no-smoke-tests -wp-prover $provers -wp-timeout 120 $options $left_out
+}
+
+# The smoke tests.  WP looks at a function only if there is a goal as well, so one kind of goals is kept.
+# shellcheck disable=SC2086
+smoke() {
+    without=-@requires,-@invariant,-@variant,-@assert,-@check,-@exits,-@lemma,-@terminates,-@decreases
+    [ "${options#*-@assigns}" = "$options" ] && without=$without,-@ensures
+    wp smoke -wp-smoke-tests -wp-smoke-timeout 20 $(echo "$options" | sed -E 's/-wp-(prover|steps|timeout)[= ][^ ]*//g') -wp-prover z3axfem -wp-prop=$without $left_out
+}
+
+library || { echo 'wp.sh: Why3 has another library than 1.5.1' >&2; exit 2; }
 for unit; do
     line=$(grep "^$unit	" proofs/wp.tsv) || { echo "FAIL wp $unit: not in proofs/wp.tsv"; failed=$((failed + 1)); continue; }
     source=$(echo "$line" | cut -f 2) left_out=$(echo "$line" | cut -f 3) options=$(echo "$line" | cut -f 4)
-    prove
+    [ "$left_out" = - ] && left_out= || left_out="-wp-skip-fct $left_out"
+    [ "$options" = - ] && options=
+    prove && smoke
     code=$?
-    goals=$(sed -n 's/.*Proved goals: *\([0-9]*\) *\/ *\([0-9]*\).*/\1 \2/p' "$tmp/log" | tail -n 1)
-    if [ "$code" -ne 0 ] || [ -z "$goals" ] || [ "${goals% *}" != "${goals#* }" ] || [ ! -f "$tmp/report.json" ] \
-        || { [ "${options%-wp-no-rte*}" = "$options" ] && grep -q '[Mm]issing RTE' "$tmp/log"; } \
-        || grep -q 'User Error\|[Mm]issing guards\|Missing assigns\|kernel:annot\|Smoke Test.*Failed' "$tmp/log"; then
+    goals=$(sed -n 's/.*Proved goals: *\([0-9]*\) *\/ *\([0-9]*\).*/\1 \2/p' "$tmp/goals.log" | tail -n 1)
+    { printf '# function\tgoals\tsmoke tests\n'; counts "$tmp/goals.json" "$tmp/smoke.json"; } > "$tmp/table" 2> /dev/null || code=1
+    if [ "$code" -ne 0 ] || [ -z "$goals" ] || [ "${goals% *}" != "${goals#* }" ] \
+        || { [ "${options%-wp-no-rte*}" = "$options" ] && grep -q '[Mm]issing RTE' "$tmp/goals.log"; } \
+        || grep -q 'User Error\|[Mm]issing guards\|Missing assigns\|kernel:annot' "$tmp/goals.log" || grep -q 'Failed. Smoke' "$tmp/smoke.log"; then
         failed=$((failed + 1))
         echo "FAIL wp $unit: ${goals:-none} (proved, wanted) in $source"
-        grep -E 'Failed|Timeout|Stepout|Unknown|Error|Warning|[Mm]issing|Inconsistent' "$tmp/log"
+        grep -hE 'Failed|Timeout|Stepout|Unknown|Error|Warning|[Mm]issing|Inconsistent' "$tmp/goals.log"
+        grep -hE 'Failed. Smoke|Error' "$tmp/smoke.log"
         continue
     fi
-    { printf '# function\tgoals\n'; counts "$tmp/report.json"; } > "$tmp/table"
     golden=golden/proofs/$unit.tsv
     if [ -n "${WPFLAGS-}" ]; then
         cat "$tmp/table"
@@ -76,7 +109,7 @@ for unit; do
         continue
     fi
     passed=$((passed + 1))
-    echo "ok wp $unit: ${goals% *} of ${goals#* } goals"
+    echo "ok wp $unit: ${goals% *} of ${goals#* } goals, $(awk '{ n += $NF } END { print n }' "$tmp/table") smoke tests"
 done
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -97,30 +97,111 @@ static void select_better(et_search *s, const double *trial, const double *value
     }
 }
 
-/* Trial i: a mutant crossed with individual i, in the box. */
-/*@ requires search: et_search_started(s) && et_search_rng(s, rng) && i < s->options.population;
-    assigns  s->trial[0 .. (s->options.population + 1) * (s->n + 1) - 1], *rng;
+/* The mutant of individuals a, b and c. */
+/*@ requires search: et_search_arrays(s) && a < s->options.population && b < s->options.population && c < s->options.population;
+    requires out:    \valid(y + (0 .. s->n - 1)) && \separated(y + (0 .. s->n - 1), s->x + (0 .. s->options.population * s->n - 1));
+    assigns  y[0 .. s->n - 1];
 */
-static void build(et_search *s, size_t i, et_rng *rng)
+static void mix(double *y, const et_search *s, size_t a, size_t b, size_t c)
 {
-    const et_search_options *o = &s->options;
-    const size_t n = s->n, group = o->by_coordinate ? 1 : o->group, genes = n / group;
+    const size_t n = s->n;
+    /*@ ghost fact_search(s); */
+    /*@ ghost fact_slot(a, s->options.population, n); */
+    /*@ ghost fact_slot(b, s->options.population, n); */
+    /*@ ghost fact_slot(c, s->options.population, n); */
+    mutant(y, s->x + a * n, s->x + b * n, s->x + c * n, s->options.F, n);
+}
+
+/*@ requires search: et_search_arrays(s) && et_search_options_ok(s);
+    assigns  \nothing;
+    ensures  group:  1 <= \result && s->n % \result == 0 && \result <= s->n;
+*/
+static size_t group_of(const et_search *s)
+{
+    /*@ ghost if (!s->options.by_coordinate) fact_genes(s->n, s->options.group); */
+    return s->options.by_coordinate ? 1 : s->options.group;
+}
+
+/* Genes not drawn become individual i's. */
+/*@ requires search: et_search_arrays(s) && et_search_options_ok(s) && i < s->options.population;
+    requires in:     \valid_read(draw + (0 .. s->n - 1));
+    requires out:    \valid(y + (0 .. s->n - 1)) && \separated(y + (0 .. s->n - 1), s->x + (0 .. s->options.population * s->n - 1)) &&
+                     \separated(y + (0 .. s->n - 1), draw + (0 .. s->n - 1));
+    assigns  y[0 .. s->n - 1];
+*/
+static void inherit(double *y, const double *draw, const et_search *s, size_t i, size_t always)
+{
+    const size_t n = s->n, group = group_of(s), genes = n / group;
     /*@ ghost fact_search(s); */
     /*@ ghost fact_slot(i, s->options.population, n); */
-    /*@ assert sizes: i * n <= SIZE_MAX && o->population * n <= SIZE_MAX && o->population * n + o->population <= SIZE_MAX; */
-    /*@ ghost if (!o->by_coordinate) fact_genes(n, group); */
-    /*@ assert genes: genes * group == n && 1 <= genes <= n; */
-    double *y = s->trial + i * n, *draw = s->trial + o->population * n + o->population;
+    /*@ ghost fact_genes(n, group); */
+    cross(y, s->x + i * n, draw, always, s->options.CR, genes, group);
+}
+
+/* y becomes a mutant crossed with individual i, in the box; draw: room for as many numbers. */
+/*@ requires search: et_search_arrays(s) && et_search_options_ok(s) && i < s->options.population && \valid(rng);
+    requires room:   \valid(y + (0 .. s->n - 1)) && \valid(draw + (0 .. s->n - 1));
+    requires apart:  \separated(y + (0 .. s->n - 1), draw + (0 .. s->n - 1), s, rng, s->x0 + (0 .. s->n - 1),
+                                s->x + (0 .. s->options.population * s->n - 1));
+    assigns  y[0 .. s->n - 1], draw[0 .. s->n - 1], *rng;
+*/
+static void build(double *y, double *draw, const et_search *s, size_t i, et_rng *rng)
+{
+    const size_t group = group_of(s), genes = s->n / group;
     size_t r[3];
-    draw_three(r, i, o->population, rng);
+    /*@ ghost fact_search(s); */
+    /*@ ghost fact_genes(s->n, group); */
+    draw_three(r, i, s->options.population, rng);
     const size_t always = et_rng_index(rng, genes);
     et_rng_fill(draw, genes, rng);
-    /*@ ghost fact_slot(r[0], o->population, n); */
-    /*@ ghost fact_slot(r[1], o->population, n); */
-    /*@ ghost fact_slot(r[2], o->population, n); */
-    mutant(y, s->x + r[0] * n, s->x + r[1] * n, s->x + r[2] * n, o->F, n);
-    cross(y, s->x + i * n, draw, always, o->CR, genes, group);
+    /*@ assert centre: search_centre{Here}(s); */
+    mix(y, s, r[0], r[1], r[2]);
+    /*@ assert centre: search_centre{Here}(s); */
+    inherit(y, draw, s, i, always);
+    /*@ assert centre: search_centre{Here}(s); */
     et_search_clamp(y, s);
+}
+
+/* Trial i and its value, both in the workspace. */
+/*@ requires search: et_search_started(s) && et_search_rng(s, rng) && i < s->options.population && s->evaluations < UINT64_MAX;
+    assigns  s->trial[0 .. (s->options.population + 1) * (s->n + 1) - 1], s->best[0 .. s->n - 1], s->best_value, s->evaluations, *rng;
+    ensures  count:   \result == ET_OK ==> s->evaluations == \old(s->evaluations) + 1;
+    ensures  started: et_search_started(s);
+    ensures  falling: \le_double(s->best_value, \old(s->best_value));
+    ensures  kept:    \forall integer k; 0 <= k < s->options.population ==> \le_double(s->value[k], \old(s->value[k]));
+*/
+static et_status attempt(et_search *s, size_t i, et_rng *rng)
+{
+    /*@ ghost fact_search(s); */
+    /*@ ghost fact_slot(i, s->options.population, s->n); */
+    /*@ ghost fact_order(); */
+    /*@ assert size:   s->options.population * s->n + s->options.population < SIZE_MAX && i * s->n <= SIZE_MAX; */
+    double *value = s->trial + s->options.population * s->n + i, *y = s->trial + i * s->n;
+    double *draw = s->trial + s->options.population * s->n + s->options.population;
+    /*@ assert work:   search_aside(s->trial, (s->options.population + 1) * (s->n + 1), s); */
+    /*@ assert best:   search_aside(s->best, s->n, s); */
+    /*@ assert inside: s->options.population * s->n + i < (s->options.population + 1) * (s->n + 1) &&
+                       i * s->n + s->n <= s->options.population * s->n &&
+                       s->options.population * s->n + s->options.population + s->n < (s->options.population + 1) * (s->n + 1); */
+    /*@ assert value:  search_aside(value, 1, s); */
+    build(y, draw, s, i, rng);
+    /*@ assert values:  search_values{Pre, Here}(s); */
+    /*@ assert centre:  search_centre{Here}(s); */
+    /*@ assert own:     search_own{Here}(s); */
+    /*@ assert falling: \le_double(s->best_value, \at(s->best_value, Pre)); */
+    /*@ assert arrays:  et_search_arrays(s); */
+    /*@ assert apart:   et_search_apart(s); */
+    /*@ assert options: et_search_options_ok(s); */
+    const et_status status = et_search_eval(value, s, y);
+    /*@ assert values:  search_values{Pre, Here}(s); */
+    /*@ assert centre:  search_centre{Here}(s); */
+    /*@ assert own:     search_own{Here}(s); */
+    /*@ assert falling: \le_double(s->best_value, \at(s->best_value, Pre)); */
+    /*@ assert arrays:  et_search_arrays(s); */
+    /*@ assert apart:   et_search_apart(s); */
+    /*@ assert options: et_search_options_ok(s); */
+    /*@ assert ordered: et_search_ordered(s); */
+    return status;
 }
 
 et_status et_de_step(et_search *search, et_rng *rng)
@@ -128,55 +209,32 @@ et_status et_de_step(et_search *search, et_rng *rng)
     const size_t n = search->n, population = search->options.population;
     /*@ ghost fact_search(search); */
     /*@ ghost fact_order(); */
-    double *value = search->trial + population * n;
-    /*@ assert work:   search_aside(search->trial, (population + 1) * (n + 1), search); */
-    /*@ assert best:   search_aside(search->best, n, search); */
+    /*@ assert cells:  (population + 1) * (n + 1) * sizeof(double) <= SIZE_MAX &&
+                       (population + 1) * (n + 1) == (search->options.population + 1) * (search->n + 1); */
     /*@ loop invariant range:   0 <= i <= population && search->evaluations == \at(search->evaluations, Pre) + i;
         loop invariant same:    search->n == n && search->options.population == population && search->generation == \at(search->generation, Pre);
-        loop invariant values:  search_values{Pre, Here}(search);
-        loop invariant centre:  search_centre{Here}(search);
-        loop invariant own:     search_own{Here}(search);
-        loop invariant arrays:  et_search_arrays(search);
-        loop invariant apart:   et_search_apart(search);
-        loop invariant options: et_search_options_ok(search);
-        loop invariant falling: \le_double(search->best_value, \at(search->best_value, Pre));
+        loop invariant started: et_search_started(search);
         loop invariant rng:     et_search_rng(search, rng);
+        loop invariant values:  search_values{Pre, Here}(search);
+        loop invariant falling: \le_double(search->best_value, \at(search->best_value, Pre));
         loop assigns   i, search->trial[0 .. (population + 1) * (n + 1) - 1], search->best[0 .. n - 1], search->best_value,
                        search->evaluations, *rng;
         loop variant   population - i; */
     for (size_t i = 0; i < population; i++) {
-        /*@ ghost fact_slot(i, population, n); */
-        /*@ assert inside: population * n + i < (population + 1) * (n + 1) && i * n + n <= population * n; */
-        build(search, i, rng);
+        /*@ ghost fact_cells(search->options.population, search->n, population, n); */
+        const et_status status = attempt(search, i, rng);
         /*@ assert values:  search_values{Pre, Here}(search); */
-        /*@ assert centre:  search_centre{Here}(search); */
-        /*@ assert own:     search_own{Here}(search); */
-        /*@ assert arrays:  et_search_arrays(search); */
-        /*@ assert apart:   et_search_apart(search); */
-        /*@ assert options: et_search_options_ok(search); */
         /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
-        /*@ assert trial:   \valid(search->trial + (i * n .. i * n + n - 1)); */
-        /*@ assert out:     \valid(value + i) && \valid(search->best + (0 .. n - 1)); */
-        const et_status status = et_search_eval(&value[i], search, search->trial + i * n);
-        /*@ assert values:  search_values{Pre, Here}(search); */
-        /*@ assert centre:  search_centre{Here}(search); */
-        /*@ assert own:     search_own{Here}(search); */
-        /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
-        /*@ assert arrays:  et_search_arrays(search); */
-        /*@ assert apart:   et_search_apart(search); */
-        /*@ assert options: et_search_options_ok(search); */
-        /*@ assert ordered: et_search_ordered(search); */
         if (status != ET_OK) return status;
     }
-    /*@ assert ordered: et_search_ordered(search); */
-    select_better(search, search->trial, value);
+    /*@ assert work:   search_aside(search->x, population * n, search); */
+    /*@ assert apart:  search->velocity == \null ||
+                       \separated(search->value + (0 .. population - 1), search->remembered + (0 .. population - 1)); */
+    select_better(search, search->trial, search->trial + population * n);
     /*@ assert values:  search_values{Pre, Here}(search); */
     /*@ assert centre:  search_centre{Here}(search); */
     /*@ assert own:     search_own{Here}(search); */
     /*@ assert falling: \le_double(search->best_value, \at(search->best_value, Pre)); */
-    /*@ assert arrays:  et_search_arrays(search); */
-    /*@ assert apart:   et_search_apart(search); */
-    /*@ assert options: et_search_options_ok(search); */
     search->generation++;
     /*@ assert arrays:  et_search_arrays(search); */
     /*@ assert apart:   et_search_apart(search); */
