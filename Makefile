@@ -263,7 +263,7 @@ PACKAGES_FUZZ := clang libclang-rt-14-dev libgsl-dev libsisl-dev afl++
 PACKAGES_CONFORM := libgsl-dev libsisl-dev libocct-modeling-algorithms-dev python3 python3-scipy
 PACKAGES_BITS := libblas3 liblapack3 libopenblas0-pthread libatlas3-base qemu-user-static gcc-aarch64-linux-gnu gcc-s390x-linux-gnu gcc-i686-linux-gnu
 PACKAGES_BENCH := libgsl-dev libsisl-dev libocct-modeling-algorithms-dev libpagmo-dev libboost-serialization-dev libtbb-dev python3-scipy r-base-core r-cran-kohonen
-PACKAGES_PROOFS := frama-c-base cvc4 cvc5 z3 why3 gappa libcoq-gappa coq libcoq-flocq libcoq-coquelicot libcoq-interval python3
+PACKAGES_PROOFS := frama-c-base cvc4 cvc5 z3 why3 gappa libcoq-gappa coq libcoq-flocq libcoq-coquelicot libcoq-interval ocaml python3
 deps:
 	@sh tests/deps.sh $(PACKAGES)
 deps-test:

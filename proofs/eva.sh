@@ -42,7 +42,8 @@ EOF
 # All sources and harnesses, parsed once.
 parse() {
     (cd "$build/plain" && frama-c -machdep gcc_x86_64 -cpp-extra-args="-I$OLDPWD/proofs/eva -Iinclude -Isrc -D_XOPEN_SOURCE=700 -include libm.h" -save ../all.sav \
-        $(for room in $rooms; do ls src/"$room"/*.c; done | grep -v 'mpfr\|/rng\.c') "$OLDPWD"/proofs/eva/*.c) > "$build/parse.log" 2>&1 < /dev/null
+        $(for room in $rooms; do ls src/"$room"/*.c; done | grep -v 'mpfr\|/rng\.c') "$OLDPWD"/proofs/eva/*.c) > "$build/parse.log" 2>&1 < /dev/null &&
+        cp proofs/heap.ml "$build" && (cd "$build" && ocamlopt -shared -o heap.cmxs heap.ml)
 }
 
 # States are kept apart, also after a function has returned, but not after a loop, save where the indices that it found depend on one another; each allocation
@@ -50,7 +51,7 @@ parse() {
 analyse() {
     options=$(sed -n "s|^void $1(void).*/\* eva: \(.*\) \*/.*|\1|p" proofs/eva/*.c)
     # shellcheck disable=SC2086
-    nice timeout 600 frama-c -load "$build/all.sav" -main "$1" -eva -eva-slevel 400 \
+    nice timeout 600 frama-c -load-module "$build/heap.cmxs" -load "$build/all.sav" -main "$1" -eva -eva-slevel 400 \
         -eva-slevel-merge-after-loop @all,-et_knots_span,-et_knots_span_side,-lines_new -eva-interprocedural-history -eva-split-return full \
         -eva-alloc-builtin fresh -eva-no-alloc-returns-null -warn-special-float none $options > "$build/$1.log" 2>&1 < /dev/null
 }
@@ -65,7 +66,7 @@ if [ -n "$analyse" ]; then
     analyse "$1"
     exit 0
 fi
-key=$( { cat proofs/eva.sh proofs/eva/*; for room in $rooms; do cat include/etalon/"$room"/*.h src/"$room"/*; done; } | sha256sum | cut -d ' ' -f 1)
+key=$( { cat proofs/eva.sh proofs/heap.ml proofs/eva/*; for room in $rooms; do cat include/etalon/"$room"/*.h src/"$room"/*; done; } | sha256sum | cut -d ' ' -f 1)
 if [ "$(cat "$build/key" 2> /dev/null)" != "$key" ]; then
     rm -f "$build"/*.log "$build/key"
     plain && parse || { grep -v Parsing "$build/parse.log"; echo 'FAIL eva: the sources are not read'; exit 1; }

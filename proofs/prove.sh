@@ -42,11 +42,11 @@ inputs() {
     case $1 in
     gappa) ls proofs/gappa/*.g ;;
     coq) ls proofs/coq/*.v proofs/coq/order ;;
-    eva) for room in base spline net som fit; do ls include/etalon/$room/*.h src/$room/*; done; ls proofs/eva.sh proofs/eva/* ;;
+    eva) for room in base spline net som fit; do ls include/etalon/$room/*.h src/$room/*; done; ls proofs/eva.sh proofs/heap.ml proofs/eva/* ;;
     *)
         source=$(sed -n "s/^$1	\([^	]*\).*/\1/p" proofs/wp.tsv)
         gcc -MM -Iinclude -Isrc "$source" | tr -d '\\' | tr ' ' '\n' | grep -E '^(src|include|proofs)/'
-        ls proofs/logic/*.h proofs/why3/* proofs/why3.conf proofs/wp.sh
+        ls proofs/logic/*.h proofs/why3/* proofs/why3.conf proofs/heap.ml proofs/wp.sh
         ;;
     esac
 }
@@ -182,7 +182,7 @@ units() {
     done > "$build/units"
     [ -s "$build/units" ] || return 0
     wants frama-c wp && wants cvc4 wp && wants z3 wp || return
-    xargs -n 1 -P $((2 * $(getconf _NPROCESSORS_ONLN))) sh -c '
+    xargs -n 1 -P $((3 * $(getconf _NPROCESSORS_ONLN))) sh -c '
         if sh proofs/wp.sh $1 "$2/wp" "$3" > "$2/$3.log" 2>&1; then
             touch "$2/$3.proved"
         fi

@@ -25,13 +25,18 @@ trap 'rm -rf "$tmp"' EXIT
 trap 'exit 130' INT TERM
 passed=0 failed=0
 
-# Why3's library, without what no driver here hands to a prover (why3/ieee_float.unused), and the configuration that finds it.
+# A file of a library without what no driver here hands to a prover (why3/unused).
+prune() { awk -v "file=${1##*/}" -f proofs/why3/prune.awk proofs/why3/unused "$1" > "$2.new" && rm -f "$2" && mv "$2.new" "$2"; }
+
+# Why3's library and WP's, pruned; the configuration that finds them; a module of Frama-C that gives its memory manager more room.
 library() {
-    share=$(sed -n 's/^datadir = "\(.*\)"/\1/p' proofs/why3.conf)
-    mkdir -p "$tmp/share/stdlib" && ln -s "$share"/* "$tmp/share" 2> /dev/null
-    ln -s "$share"/stdlib/* "$tmp/share/stdlib" && rm "$tmp/share/stdlib/ieee_float.mlw" &&
-        awk -f proofs/why3/prune.awk proofs/why3/ieee_float.unused "$share/stdlib/ieee_float.mlw" > "$tmp/share/stdlib/ieee_float.mlw" &&
-        sed "s#^datadir = .*#datadir = \"$tmp/share\"#" proofs/why3.conf > "$tmp/why3.conf"
+    share=$(sed -n 's/^datadir = "\(.*\)"/\1/p' proofs/why3.conf) wp=$(frama-c -print-share-path)/wp
+    mkdir -p "$tmp/share/stdlib" "$tmp/wp/why3/frama_c_wp" && ln -s "$share"/drivers "$share"/*.conf "$tmp/share" &&
+        ln -s "$share"/stdlib/* "$tmp/share/stdlib" && for file in ieee_float real; do prune "$share/stdlib/$file.mlw" "$tmp/share/stdlib/$file.mlw" || return; done &&
+        ln -s "$wp"/*.driver "$tmp/wp" && ln -s "$wp"/why3/frama_c_wp/* "$tmp/wp/why3/frama_c_wp" &&
+        prune "$wp/why3/frama_c_wp/cfloat.mlw" "$tmp/wp/why3/frama_c_wp/cfloat.mlw" &&
+        sed "s#^datadir = .*#datadir = \"$tmp/share\"#" proofs/why3.conf > "$tmp/why3.conf" &&
+        cp proofs/heap.ml "$tmp" && (cd "$tmp" && ocamlopt -shared -o heap.cmxs heap.ml)
 }
 
 # "function goals smoke tests", sorted, from WP's two reports; 1 if a smoke test failed.
@@ -58,8 +63,8 @@ wp() {
     helps=proofs/logic/$(echo "$unit" | sed 's/_theorems$//').h
     [ -f "$helps" ] || helps=proofs/logic/logic.h
     rm -f "$tmp/$name.json"
-    (cd proofs && WHY3CONFIG=$tmp/why3.conf nice frama-c -machdep gcc_x86_64 -cpp-extra-args="-I../include -I../src -include $PWD/../$helps" -wp -wp-rte \
-        -warn-unsigned-overflow -wp-no-pruning -wp-par 3 -wp-steps 400000 -wp-cache update -wp-cache-dir "$cache" "$@" -wp-report-json "$tmp/$name.json" ${WPFLAGS-} \
+    (cd proofs && WHY3CONFIG=$tmp/why3.conf nice frama-c -load-module "$tmp/heap.cmxs" -wp-share "$tmp/wp" -machdep gcc_x86_64 -cpp-extra-args="-I../include -I../src -include $PWD/../$helps" -wp -wp-rte \
+        -warn-unsigned-overflow -wp-no-pruning -wp-no-ground -wp-par 1 -wp-steps 400000 -wp-cache update -wp-cache-dir "$cache" "$@" -wp-report-json "$tmp/$name.json" ${WPFLAGS-} \
         "../$source") > "$tmp/$name.log" 2>&1 < /dev/null
 }
 
@@ -79,7 +84,7 @@ smoke() {
     wp smoke -wp-smoke-tests -wp-smoke-timeout 20 $(echo "$options" | sed -E 's/-wp-(prover|steps|timeout)[= ][^ ]*//g') -wp-prover z3axfem -wp-prop=$without $left_out
 }
 
-library || { echo 'wp.sh: Why3 has another library than 1.5.1' >&2; exit 2; }
+library || { echo 'wp.sh: the library of Why3 is another one than that of 1.5.1, or there is no ocamlopt' >&2; exit 2; }
 for unit; do
     line=$(grep "^$unit	" proofs/wp.tsv) || { echo "FAIL wp $unit: not in proofs/wp.tsv"; failed=$((failed + 1)); continue; }
     source=$(echo "$line" | cut -f 2) left_out=$(echo "$line" | cut -f 3) options=$(echo "$line" | cut -f 4)

@@ -1,24 +1,33 @@
-# awk -f prune.awk ieee_float.unused ieee_float.mlw: Why3's library of floats without the axioms and lemmas of module GenericFloat that are named in the first
-# file, and without the goals of its clones that stand for them.  A name that is not found is an error: the library is another one than was thought.
+# awk -v file=NAME.mlw -f prune.awk unused NAME.mlw: a file of Why3's library without the declarations that the first file names for it (FILE MODULE KIND NAME),
+# and without the goals of clones that stand for them.  A name that is not found is an error: the library is another one than was thought.
 FNR == NR {
-    if ($1 != "" && $1 !~ /^#/) unused[$1] = 1
+    if ($1 == file && NF == 3) whole[$2 " " $3] = 1
+    if ($1 == file && NF == 4) unused[$2 " " $3 " " $4] = 1
     next
 }
-/^module/ { module = $2 }
-module == "GenericFloat" && ($1 == "axiom" || $1 == "lemma") {
-    name = $2
-    sub(/:.*/, "", name)
-    dropped = name in unused
-    if (dropped) found[name] = 1
+/^(module|theory)/ {
+    module = $2
+    without = ("module " module) in whole
+    if (without) found[module] = 1
 }
-dropped && (/^ *$/ || /^end/ || $1 ~ /^(function|predicate|val|constant)$/ || $1 ~ /^\(\*/) { dropped = 0 }
-module != "GenericFloat" && $1 == "goal" {
+match($0, /^ *((let|val) +)?(use|type|function|predicate|constant|axiom|lemma|clone) +/) {
+    kind = substr($0, 1, RLENGTH)
+    name = substr($0, RLENGTH + 1)
+    sub(/[ :].*/, "", name)
+    kind = kind ~ /axiom|lemma/ ? "prop" : kind ~ /use/ ? "use" : "symbol"
+    dropped = (module " " kind " " name) in unused
+    if (dropped) found[module " " kind " " name] = 1
+}
+/^ *$/ || /^end/ || $1 ~ /^\(\*/ { dropped = 0 }
+$1 == "goal" {
     name = $2
     sub(/,.*/, "", name)
-    if (name in unused) next
+    if (("GenericFloat prop " name) in unused) next
 }
-!dropped { print }
+!dropped && !without { print }
+/^end/ { without = 0 }
 END {
-    for (name in unused) if (!(name in found)) { print "prune.awk: no axiom " name > "/dev/stderr"; missing = 1 }
+    for (name in whole) { sub(/.* /, "", name); if (!(name in found)) { print "prune.awk: no module " name " in " file > "/dev/stderr"; missing = 1 } }
+    for (name in unused) if (!(name in found)) { print "prune.awk: no " name " in " file > "/dev/stderr"; missing = 1 }
     exit missing
 }
