@@ -46,13 +46,13 @@ parse() {
         cp proofs/heap.ml "$build" && (cd "$build" && ocamlopt -shared -o heap.cmxs heap.ml)
 }
 
-# States are kept apart, also after a function has returned, but not after a loop, save where the indices that it found depend on one another; each allocation
-# is one of its own; an entry point may ask for more: `/* eva: OPTIONS */`.
+# States are kept apart, also after a function has returned, but not after a loop, save where the indices that it found depend on one another; those of different
+# requests for memory that failed (eva/eva.c) are, always; each allocation is one of its own; an entry point may ask for more: `/* eva: OPTIONS */`.
 analyse() {
     options=$(sed -n "s|^void $1(void).*/\* eva: \(.*\) \*/.*|\1|p" proofs/eva/*.c)
     # shellcheck disable=SC2086
     nice timeout 600 frama-c -load-module "$build/heap.cmxs" -load "$build/all.sav" -main "$1" -eva -eva-slevel 400 \
-        -eva-slevel-merge-after-loop @all,-et_knots_span,-et_knots_span_side,-lines_new -eva-interprocedural-history -eva-split-return full \
+        -eva-slevel-merge-after-loop @all,-et_knots_span,-et_knots_span_side,-lines_new -eva-interprocedural-history -eva-interprocedural-splits -eva-split-return full \
         -eva-alloc-builtin fresh -eva-no-alloc-returns-null -warn-special-float none $options > "$build/$1.log" 2>&1 < /dev/null
 }
 

@@ -1,5 +1,6 @@
 #!/bin/sh
-# mutants.sh BUILD [LINE...]: breaks what is proved, line by line of proofs/mutants.tsv, in a copy, and fails where proofs/prove.sh does not.
+# mutants.sh BUILD [LINE...]: breaks what is proved, line by line of proofs/mutants.tsv, in a copy, and fails where proofs/prove.sh does not;
+# without LINE first the contradictions of proofs/planted.c, which the smoke tests have to find.
 #
 # First the piece has to go through as it is, with the same limits of time: then it is the mutant that fails.  A unit of WP is asked for the mutated
 # function alone, Eva for one entry point, which takes seconds; whatever else is proved of it can only fail too.
@@ -55,8 +56,27 @@ try() {
     rm -rf "${tree:?}"/*
 }
 
+# The smoke tests find each contradiction of proofs/planted.c.
+plant() {
+    cp -R src include proofs golden "$tree" || exit 2
+    printf 'planted\tproofs/planted.c\t-\t-warn-special-float none\n' >> "$tree/proofs/wp.tsv"
+    sh "$tree/proofs/wp.sh" "$build/wp" planted > "$tree/log" 2>&1 < /dev/null
+    for name in $(sed -nE 's/^[a-z].* \*?(planted_[a-z]+)\(.*\{.*/\1/p' proofs/planted.c); do
+        if grep -q "Failed. Smoke-test typed_${name}_wp_smoke" "$tree/log"; then
+            report ok "planted: the contradiction of $name is found"
+        else
+            report FAIL "planted: the contradiction of $name is not found"
+        fi
+    done
+    rm -rf "${tree:?}"/*
+}
+
 tab=$(printf '\t')
-[ $# -gt 0 ] || set -- $(grep -n '^[a-z]' proofs/mutants.tsv | cut -d : -f 1)
+if [ $# -eq 0 ]; then
+    plant
+    # shellcheck disable=SC2046
+    set -- $(grep -n '^[a-z]' proofs/mutants.tsv | cut -d : -f 1)
+fi
 for number; do
     line=$(sed -n "${number}p" proofs/mutants.tsv)
     IFS=$tab read -r piece function file text instead <<EOF

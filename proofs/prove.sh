@@ -182,7 +182,7 @@ units() {
     done > "$build/units"
     [ -s "$build/units" ] || return 0
     wants frama-c wp && wants cvc4 wp && wants z3 wp || return
-    xargs -n 1 -P $((3 * $(getconf _NPROCESSORS_ONLN))) sh -c '
+    xargs -n 1 -P $((1 + 2 * $(getconf _NPROCESSORS_ONLN))) sh -c '
         if sh proofs/wp.sh $1 "$2/wp" "$3" > "$2/$3.log" 2>&1; then
             touch "$2/$3.proved"
         fi

@@ -3,7 +3,7 @@
 #
 # Run-time errors count, the wrapping of unsigned integers too.  Provers get a limit of steps, the same on every machine; the time limit is only a
 # safety net.  Smoke tests, in a second pass, look for contradictory preconditions, calls that cannot return and statements that cannot be reached:
-# z3, which only instantiates there and so stops soon, tries to prove "false" with as many steps as a goal gets.
+# z3, which only instantiates there and so stops soon, tries to prove "false".
 # golden/proofs/UNIT.tsv has the number of goals and of smoke tests of each function: another number is a failure, so that none gets lost;
 # --accept writes it anew.  Of what was proved CACHE keeps the answers, so that a run that was stopped goes on.
 # The options of a unit add provers (-wp-prover A) or say which alone are asked (-wp-prover=A).
@@ -31,8 +31,10 @@ prune() { awk -v "file=${1##*/}" -f proofs/why3/prune.awk proofs/why3/unused "$1
 # Why3's library and WP's, pruned; the configuration that finds them; a module of Frama-C that gives its memory manager more room.
 library() {
     share=$(sed -n 's/^datadir = "\(.*\)"/\1/p' proofs/why3.conf) wp=$(frama-c -print-share-path)/wp
-    mkdir -p "$tmp/share/stdlib" "$tmp/wp/why3/frama_c_wp" && ln -s "$share"/drivers "$share"/*.conf "$tmp/share" &&
-        ln -s "$share"/stdlib/* "$tmp/share/stdlib" && for file in ieee_float real; do prune "$share/stdlib/$file.mlw" "$tmp/share/stdlib/$file.mlw" || return; done &&
+    mkdir -p "$tmp/share/stdlib" "$tmp/wp/why3/frama_c_wp" &&
+        ln -s "$share"/drivers "$share"/*.conf "$tmp/share" &&
+        ln -s "$share"/stdlib/* "$tmp/share/stdlib" && prune "$share/stdlib/real.mlw" "$tmp/share/stdlib/real.mlw" &&
+        prune "$share/stdlib/ieee_float.mlw" "$tmp/share/stdlib/ieee_float.mlw" &&
         ln -s "$wp"/*.driver "$tmp/wp" && ln -s "$wp"/why3/frama_c_wp/* "$tmp/wp/why3/frama_c_wp" &&
         prune "$wp/why3/frama_c_wp/cfloat.mlw" "$tmp/wp/why3/frama_c_wp/cfloat.mlw" &&
         sed "s#^datadir = .*#datadir = \"$tmp/share\"#" proofs/why3.conf > "$tmp/why3.conf" &&
@@ -81,7 +83,7 @@ prove() {
 smoke() {
     without=-@requires,-@invariant,-@variant,-@assert,-@check,-@exits,-@lemma,-@terminates,-@decreases
     [ "${options#*-@assigns}" = "$options" ] && without=$without,-@ensures
-    wp smoke -wp-smoke-tests -wp-smoke-timeout 20 $(echo "$options" | sed -E 's/-wp-(prover|steps|timeout)[= ][^ ]*//g') -wp-prover z3axfem -wp-prop=$without $left_out
+    wp smoke -wp-smoke-tests -wp-smoke-timeout 20 $(echo "$options" | sed -E 's/-wp-(prover|steps|timeout)[= ][^ ]*//g') -wp-prover z3ordem -wp-steps 100000 -wp-prop=$without $left_out
 }
 
 library || { echo 'wp.sh: the library of Why3 is another one than that of 1.5.1, or there is no ocamlopt' >&2; exit 2; }

@@ -5,7 +5,7 @@ static void evaluate(size_t p, int rational)
     et_curve c, d;
     const double x = any();
 
-    any_memory(6);
+    any_memory();
     if (!make_curve(&c, p, rational))
         return;
     et_curve_valid(&c);
@@ -27,7 +27,7 @@ static void insert(size_t p, int rational)
 {
     et_curve c, d;
 
-    any_memory(9);
+    any_memory();
     if (!make_curve(&c, p, rational))
         return;
     if (et_curve_insert(&d, &c, 0.25, 2) == ET_OK)
@@ -40,7 +40,7 @@ static void removed(size_t p, int rational)
     et_curve c, d;
     size_t n;
 
-    any_memory(12);
+    any_memory();
     if (!make_curve(&c, p, rational))
         return;
     if (et_curve_remove(&d, &n, &c, 0.5, 1, 1.0) == ET_OK)
@@ -52,7 +52,7 @@ static void elevate(size_t p, int rational)
 {
     et_curve c, d;
 
-    any_memory(13);
+    any_memory();
     if (!make_curve(&c, p, rational))
         return;
     if (et_curve_elevate(&d, &c, 1) == ET_OK)

@@ -10,23 +10,25 @@ void fill(double *x, size_t n)
         x[i] = any();
 }
 
-/* Of the requests for memory, `most` at the most, one fails, or none; with most = 0 none fails, however many there are. */
-static int made, most, failing;
+/* Of the requests for memory any one fails, or none; before any_memory() none does.  Which one is not chosen beforehand, so that what succeeds before is
+ * analysed once; the states that follow are kept apart by its number. */
+static int may_fail, made, failing;
 
-void any_memory(int requests)
+void any_memory(void)
 {
-    most = requests;
-    failing = Frama_C_interval(0, most);
-    //@ split failing;
+    may_fail = 1;
 }
 
 /* Frama-C's own contract of this function has no allocation. */
 int posix_memalign(void **memory, size_t alignment, size_t size)
 {
-    if (most) {
-        //@ assert enough: made < most;
-        if (made++ == failing)
+    if (may_fail) {
+        made++;
+        if (!failing && Frama_C_interval(0, 1)) {
+            failing = made;
+            //@ split failing;
             return 12;
+        }
     }
     *memory = malloc(size);
     return 0;

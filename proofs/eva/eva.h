@@ -17,7 +17,7 @@ static const size_t counts[4] = {3, 4, 4, 6};
 static const double knots[4][10] = {{0, 0.25, 0.5, 1}, {0, 0, 0.25, 0.5, 1, 1}, {0, 0, 0, 0.5, 1, 1, 1}, {0, 0, 0, 0, 0.5, 0.5, 1, 1, 1, 1}};
 
 double any(void);
-void any_memory(int requests);
+void any_memory(void);
 void fill(double *x, size_t n);
 int make_curve(et_curve *c, size_t p, int rational);
 int make_surface(et_surface *s, size_t p, size_t q, int rational);

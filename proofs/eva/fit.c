@@ -27,7 +27,6 @@ static void fit(et_fit_approach approach, et_linalg_method algebra, int enclose)
     double residual[NOV];
     et_message message;
 
-    any_memory(0);
     fill(&data[0].x, 3 * NOV);
     if (et_fit_make(&f, data, NOV, net, &o, &message) != ET_OK)
         return;
@@ -53,7 +52,7 @@ void eva_fit_memory(void)
     o.p = 1;
     o.q = 2;
     o.control = (et_doublenet){2, 3};
-    any_memory(71);
+    any_memory();
     fill(&data[0].x, 3 * N);
     if (et_fit_make(&f, data, N, net, &o, &message) == ET_OK)
         et_fit_free(&f);
@@ -65,7 +64,7 @@ void eva_fit_parameters(void)
     et_fit f;
     et_vec3 data[NOV];
 
-    any_memory(9);
+    any_memory();
     fill(&data[0].x, 3 * NOV);
     et_fit_name(ET_FIT_JOINT);
     if (et_fit_parameters(&f, data, NOV, net, ET_FIT_IMPROVED, ET_PARAM_CHORD) == ET_OK)

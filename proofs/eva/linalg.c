@@ -6,7 +6,7 @@ static void solve(et_linalg_method method)
     double A[15], B[10], X[6], R[9], C[6];
     size_t rank;
 
-    any_memory(24);
+    any_memory();
     fill(A, 15);
     fill(B, 10);
     et_linalg_name(method);
@@ -20,7 +20,7 @@ static void band(et_linalg_method method)
     double a[10], B[10], X[8];
     size_t rank;
 
-    any_memory(24);
+    any_memory();
     fill(a, 10);
     fill(B, 10);
     et_linalg_band_lsq(X, &rank, a, start, 5, 4, 2, B, 2, method);

@@ -7,7 +7,7 @@ static void parameters(et_param_method method)
     et_vec3 D[12];
     size_t flat;
 
-    any_memory(2);
+    any_memory();
     fill(&D[0].x, 36);
     fill(s, 4);
     fill(t, 4);

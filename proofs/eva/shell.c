@@ -6,7 +6,7 @@ static void storage(size_t p, size_t q, int rational)
     et_shell s, t;
     et_vec3 points[72];
 
-    any_memory(16);
+    any_memory();
     if (!make_shell(&s, p, q, rational))
         return;
     et_shell_valid(&s);
@@ -23,7 +23,7 @@ static void seam(size_t p, size_t q, int rational)
     et_shell s;
     et_seam gap;
 
-    any_memory(13);
+    any_memory();
     if (!make_shell(&s, p, q, rational))
         return;
     et_shell_glued(&s);

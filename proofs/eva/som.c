@@ -20,7 +20,7 @@ void eva_som(void)    /* eva: -eva-slevel 100 */
     et_som_options o = et_som_defaults();
 
     o.iterations = 3;
-    any_memory(8);
+    any_memory();
     fill(&cloud[0].x, 15);
     if (et_rng_new(&rng, 1) != ET_OK)
         return;
@@ -35,7 +35,7 @@ void eva_quality(void)    /* eva: -eva-slevel 100 */
     et_som_quality quality;
     const et_doublenet net = {NX, NY};
 
-    any_memory(4);
+    any_memory();
     fill(&weights[0].x, 3 * NOV);
     fill(&cloud[0].x, 15);
     et_quality_of(&quality, weights, NOV, net, cloud, 5);

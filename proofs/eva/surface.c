@@ -6,7 +6,7 @@ static void evaluate(size_t p, size_t q, int rational)
     et_vec3 D[6], S[4], n;
     const double u[2] = {any(), any()}, v[2] = {any(), any()}, lines[2] = {0.125, 1};
 
-    any_memory(13);
+    any_memory();
     if (!make_surface(&s, p, q, rational))
         return;
     et_surface_valid(&s);
@@ -31,7 +31,7 @@ static void insert(size_t p, size_t q, int rational, et_direction along)
 {
     et_surface s, t;
 
-    any_memory(11);
+    any_memory();
     if (!make_surface(&s, p, q, rational))
         return;
     if (et_surface_insert(&t, &s, along, 0.25, 2) == ET_OK)
@@ -44,7 +44,7 @@ static void removed(size_t p, size_t q, int rational, et_direction along)
     et_surface s, t;
     size_t n;
 
-    any_memory(14);
+    any_memory();
     if (!make_surface(&s, p, q, rational))
         return;
     if (et_surface_remove(&t, &n, &s, along, 0.5, 1, 1.0) == ET_OK)
@@ -56,7 +56,7 @@ static void elevate(size_t p, size_t q, int rational, et_direction along)
 {
     et_surface s, t;
 
-    any_memory(15);
+    any_memory();
     if (!make_surface(&s, p, q, rational))
         return;
     if (et_surface_elevate(&t, &s, along, 1) == ET_OK)
