@@ -1,9 +1,10 @@
 #!/bin/sh
 # eva.sh [--accept] BUILD [ENTRY...]: Frama-C's Eva finds no run-time error of floors 0 to 2 in the ranges that the harnesses of proofs/eva state.
 #
-# The sources are analysed without their annotations, since a contract that is not proved must not help; what LAPACK and MPFR do stands in eva/lapacke.h and
-# eva/eva.c.  NaN and infinity are values, not errors.  golden/proofs/eva.tsv has, for each entry point, the functions and statements that are reached, and the alarms left:
-# other numbers are a failure; --accept writes them anew.  BUILD keeps the answers, so that a run that was stopped goes on.
+# The sources are analysed without their annotations, since a contract that is not proved must not help; what LAPACK and MPFR do stands in
+# eva/lapacke.h and eva/eva.c.  NaN and infinity are values, not errors.  golden/proofs/eva.tsv has, for each entry point, the functions and statements
+# that are reached, and the alarms left: other numbers are a failure; --accept writes them anew.  BUILD keeps the answers, so that a run that was
+# stopped goes on.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -41,18 +42,22 @@ EOF
 
 # All sources and harnesses, parsed once.
 parse() {
-    (cd "$build/plain" && frama-c -machdep gcc_x86_64 -cpp-extra-args="-I$OLDPWD/proofs/eva -Iinclude -Isrc -D_XOPEN_SOURCE=700 -include libm.h" -save ../all.sav \
-        $(for room in $rooms; do ls src/"$room"/*.c; done | grep -v 'mpfr\|/rng\.c') "$OLDPWD"/proofs/eva/*.c) > "$build/parse.log" 2>&1 < /dev/null &&
+    (cd "$build/plain" && frama-c -machdep gcc_x86_64 -save ../all.sav \
+        -cpp-extra-args="-I$OLDPWD/proofs/eva -Iinclude -Isrc -D_XOPEN_SOURCE=700 -include libm.h" \
+        $(for room in $rooms; do ls src/"$room"/*.c; done | grep -v 'mpfr\|/rng\.c') \
+        "$OLDPWD"/proofs/eva/*.c) > "$build/parse.log" 2>&1 < /dev/null &&
         cp proofs/heap.ml "$build" && (cd "$build" && ocamlopt -shared -o heap.cmxs heap.ml)
 }
 
-# States are kept apart, also after a function has returned, but not after a loop, save where the indices that it found depend on one another; those of different
-# requests for memory that failed (eva/eva.c) are, always; each allocation is one of its own; an entry point may ask for more: `/* eva: OPTIONS */`.
+# States are kept apart, also after a function has returned, but not after a loop, save where the indices that it found depend on one another; those of
+# different requests for memory that failed (eva/eva.c) are, always; each allocation is one of its own; an entry point may ask for more:
+# `/* eva: OPTIONS */`.
 analyse() {
     options=$(sed -n "s|^void $1(void).*/\* eva: \(.*\) \*/.*|\1|p" proofs/eva/*.c)
     # shellcheck disable=SC2086
     nice timeout 600 frama-c -load-module "$build/heap.cmxs" -load "$build/all.sav" -main "$1" -eva -eva-slevel 400 \
-        -eva-slevel-merge-after-loop @all,-et_knots_span,-et_knots_span_side,-lines_new -eva-interprocedural-history -eva-interprocedural-splits -eva-split-return full \
+        -eva-slevel-merge-after-loop @all,-et_knots_span,-et_knots_span_side,-lines_new \
+        -eva-interprocedural-history -eva-interprocedural-splits -eva-split-return full \
         -eva-alloc-builtin fresh -eva-no-alloc-returns-null -warn-special-float none $options > "$build/$1.log" 2>&1 < /dev/null
 }
 
@@ -97,7 +102,9 @@ for entry; do
         failed=$((failed + 1))
     fi
 done
-[ -z "$accept" ] || { printf '# entry point\tfunctions\tstatements\talarms\n'; { cat "$table"; grep -v '^#' "$golden" 2> /dev/null; } | sort -s -u -k 1,1; } > "$golden.new"
-[ -z "$accept" ] || mv "$golden.new" "$golden"
+if [ -n "$accept" ]; then
+    { printf '# entry point\tfunctions\tstatements\talarms\n'; { cat "$table"; grep -v '^#' "$golden" 2> /dev/null; } | sort -s -u -k 1,1; } > "$golden.new"
+    mv "$golden.new" "$golden"
+fi
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

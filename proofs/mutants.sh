@@ -41,8 +41,10 @@ EOF
 
 report() { echo "$1 $2"; [ "$1" = ok ] && passed=$((passed + 1)) || failed=$((failed + 1)); }
 
+copy() { cp -R src include proofs golden docs tests Makefile "$tree" || exit 2; }
+
 try() {
-    cp -R src include proofs golden docs tests Makefile "$tree" || exit 2
+    copy
     if ! goes; then
         cat "$tree/log"
         report FAIL "$piece: not proved as it is"
@@ -58,7 +60,7 @@ try() {
 
 # The smoke tests find each contradiction of proofs/planted.c.
 plant() {
-    cp -R src include proofs golden "$tree" || exit 2
+    copy
     printf 'planted\tproofs/planted.c\t-\t-warn-special-float none\n' >> "$tree/proofs/wp.tsv"
     sh "$tree/proofs/wp.sh" "$build/wp" planted > "$tree/log" 2>&1 < /dev/null
     for name in $(sed -nE 's/^[a-z].* \*?(planted_[a-z]+)\(.*\{.*/\1/p' proofs/planted.c); do

@@ -189,6 +189,18 @@ units() {
         grep -v " passed, " "$2/$3.log"' sh "$accept" "$build" < "$build/units"
 }
 
+# script PIECE COMMAND...: a piece that is one command, which says itself, last, what it found.
+script() {
+    piece=$1
+    shift
+    if "$@" > "$build/$piece.log" 2>&1; then
+        good "$piece: $(tail -n 1 "$build/$piece.log")"
+    else
+        cat "$build/$piece.log"
+        bad "$piece"
+    fi
+}
+
 # What was said of it stands above.
 unit() {
     if [ -f "$build/$1.proved" ]; then
@@ -211,9 +223,9 @@ units "$@"
 wait
 for piece; do
     case $piece in
-    quote) sh proofs/coq/quote.sh > "$build/quote.log" 2>&1 && good "quote: $(tail -n 1 "$build/quote.log")" || { cat "$build/quote.log"; bad quote; } ;;
-    tie) python3 proofs/coq/tie.py --check > "$build/tie.log" 2>&1 && good 'tie: the rows are what the code gives' || { cat "$build/tie.log"; bad tie; } ;;
-    constants) python3 proofs/constants.py > "$build/constants.log" 2>&1 && good "constants: $(tail -n 1 "$build/constants.log")" || { cat "$build/constants.log"; bad constants; } ;;
+    quote) script quote sh proofs/coq/quote.sh ;;
+    tie) script tie python3 proofs/coq/tie.py --check ;;
+    constants) script constants python3 proofs/constants.py ;;
     *)
         if [ -n "$quick" ] && unchanged "$piece"; then
             good "$piece: the text that was proved"

@@ -2,7 +2,7 @@
 # wp.sh [--accept] CACHE UNIT...: Frama-C's WP proves the contracts of each unit of proofs/wp.tsv, every goal, or this fails.
 #
 # Run-time errors count, the wrapping of unsigned integers too.  Provers get a limit of steps, the same on every machine; the time limit is only a
-# safety net.  Smoke tests, in a second pass, look for contradictory preconditions, calls that cannot return and statements that cannot be reached:
+# safety net.  Smoke tests, afterwards, look for contradictory preconditions, calls that cannot return and statements that cannot be reached:
 # z3, which only instantiates there and so stops soon, tries to prove "false".
 # golden/proofs/UNIT.tsv has the number of goals and of smoke tests of each function: another number is a failure, so that none gets lost;
 # --accept writes it anew.  Of what was proved CACHE keeps the answers, so that a run that was stopped goes on.
@@ -58,32 +58,24 @@ sys.exit(failed > 0)
 EOF
 }
 
-# wp NAME OPTION...: Frama-C on the source, with what helps the provers for that module; $tmp/NAME.log and NAME.json are left.
-wp() {
-    name=$1
-    shift
-    helps=proofs/logic/$(echo "$unit" | sed 's/_theorems$//').h
-    [ -f "$helps" ] || helps=proofs/logic/logic.h
-    rm -f "$tmp/$name.json"
-    (cd proofs && WHY3CONFIG=$tmp/why3.conf nice frama-c -load-module "$tmp/heap.cmxs" -wp-share "$tmp/wp" -machdep gcc_x86_64 -cpp-extra-args="-I../include -I../src -include $PWD/../$helps" -wp -wp-rte \
-        -warn-unsigned-overflow -wp-no-pruning -wp-no-ground -wp-par 1 -wp-steps 400000 -wp-cache update -wp-cache-dir "$cache" "$@" -wp-report-json "$tmp/$name.json" ${WPFLAGS-} \
-        "../$source") > "$tmp/$name.log" 2>&1 < /dev/null
-}
-
-# Every goal by the provers of the unit.
+# Frama-C on the source of the unit, with what helps the provers for that module: every goal by the provers of the unit, then, as what is proved is
+# not looked at again, the smoke tests.  $tmp/log, goals.json and smoke.json are left.
 # shellcheck disable=SC2086
 prove() {
     provers=cvc4axf,z3axf
     [ "${options#*-wp-prover=}" = "$options" ] || provers=none
-    wp goals -wp-no-smoke-tests -wp-prover $provers -wp-timeout 120 $options $left_out
-}
-
-# The smoke tests.  WP looks at a function only if there is a goal as well, so one kind of goals is kept.
-# shellcheck disable=SC2086
-smoke() {
-    without=-@requires,-@invariant,-@variant,-@assert,-@check,-@exits,-@lemma,-@terminates,-@decreases
-    [ "${options#*-@assigns}" = "$options" ] && without=$without,-@ensures
-    wp smoke -wp-smoke-tests -wp-smoke-timeout 20 $(echo "$options" | sed -E 's/-wp-(prover|steps|timeout)[= ][^ ]*//g') -wp-prover z3ordem -wp-steps 100000 -wp-prop=$without $left_out
+    helps=proofs/logic/$(echo "$unit" | sed 's/_theorems$//').h
+    [ -f "$helps" ] || helps=proofs/logic/logic.h
+    # WP forgets what it is to look at, but not its provers.
+    looked="$(echo "$options" | sed -E 's/-wp-(prover|steps|timeout)[= ][^ ]*//g') $left_out ${WPFLAGS-}"
+    others=$(sed -n 's/^shortcut = "\(.*\)"/-\1/p' proofs/why3.conf | paste -sd ,)
+    rm -f "$tmp"/*.json
+    (cd proofs && WHY3CONFIG=$tmp/why3.conf nice frama-c -load-module "$tmp/heap.cmxs" -wp-share "$tmp/wp" -machdep gcc_x86_64 \
+        -cpp-extra-args="-I../include -I../src -include $PWD/../$helps" -wp -wp-rte -warn-unsigned-overflow -wp-no-pruning -wp-no-ground -wp-par 1 \
+        -wp-cache update -wp-cache-dir "$cache" -wp-no-smoke-tests -wp-prover $provers -wp-steps 400000 -wp-timeout 120 $options $left_out ${WPFLAGS-} \
+        -wp-report-json "$tmp/goals.json" "../$source" \
+        -then -wp -wp-smoke-tests -wp-smoke-timeout 20 -wp-prover=$others,-none,+z3ordem -wp-steps 100000 $looked -wp-report-json "$tmp/smoke.json") \
+        > "$tmp/log" 2>&1 < /dev/null
 }
 
 library || { echo 'wp.sh: the library of Why3 is another one than that of 1.5.1, or there is no ocamlopt' >&2; exit 2; }
@@ -92,17 +84,16 @@ for unit; do
     source=$(echo "$line" | cut -f 2) left_out=$(echo "$line" | cut -f 3) options=$(echo "$line" | cut -f 4)
     [ "$left_out" = - ] && left_out= || left_out="-wp-skip-fct $left_out"
     [ "$options" = - ] && options=
-    prove && smoke
+    prove
     code=$?
-    goals=$(sed -n 's/.*Proved goals: *\([0-9]*\) *\/ *\([0-9]*\).*/\1 \2/p' "$tmp/goals.log" | tail -n 1)
+    goals=$(sed -n 's/.*Proved goals: *\([0-9]*\) *\/ *\([0-9]*\).*/\1 \2/p' "$tmp/log" | head -n 1)
     { printf '# function\tgoals\tsmoke tests\n'; counts "$tmp/goals.json" "$tmp/smoke.json"; } > "$tmp/table" 2> /dev/null || code=1
     if [ "$code" -ne 0 ] || [ -z "$goals" ] || [ "${goals% *}" != "${goals#* }" ] \
-        || { [ "${options%-wp-no-rte*}" = "$options" ] && grep -q '[Mm]issing RTE' "$tmp/goals.log"; } \
-        || grep -q 'User Error\|[Mm]issing guards\|Missing assigns\|kernel:annot' "$tmp/goals.log" || grep -q 'Failed. Smoke' "$tmp/smoke.log"; then
+        || { [ "${options%-wp-no-rte*}" = "$options" ] && grep -q '[Mm]issing RTE' "$tmp/log"; } \
+        || grep -q 'User Error\|[Mm]issing guards\|Missing assigns\|kernel:annot\|Failed. Smoke' "$tmp/log"; then
         failed=$((failed + 1))
         echo "FAIL wp $unit: ${goals:-none} (proved, wanted) in $source"
-        grep -hE 'Failed|Timeout|Stepout|Unknown|Error|Warning|[Mm]issing|Inconsistent' "$tmp/goals.log"
-        grep -hE 'Failed. Smoke|Error' "$tmp/smoke.log"
+        grep -hE 'Failed|Timeout|Stepout|Unknown|Error|Warning|[Mm]issing|Inconsistent' "$tmp/log"
         continue
     fi
     golden=golden/proofs/$unit.tsv

@@ -207,9 +207,9 @@ def main():
     if check:
         if open(path).read() != text:
             sys.exit("proofs/coq/TieRows.v is not what tie.py writes")
-        return
-    with open(path, "w") as f:
-        f.write(text)
+    else:
+        with open(path, "w") as f:
+            f.write(text)
     print("%d rows, %d vectors of knots, %d bytes" % (len(cases), len(vectors), len(text)))
 
 

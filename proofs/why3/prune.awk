@@ -1,5 +1,7 @@
-# awk -v file=NAME.mlw -f prune.awk unused NAME.mlw: a file of Why3's library without the declarations that the first file names for it (FILE MODULE KIND NAME),
-# and without the goals of clones that stand for them.  A name that is not found is an error: the library is another one than was thought.
+# awk -v file=NAME.mlw -f prune.awk unused NAME.mlw: a file of Why3's library, or of WP's, without the declarations that the first file names for it
+# (FILE MODULE KIND NAME) and without the modules that it names whole (FILE module NAME).  A clone of GenericFloat states anew, as goals, what it does not
+# take over: those of the declarations that are gone go, too.
+# A name that is not found is an error: the library is another one than was thought.
 FNR == NR {
     if ($1 == file && NF == 3) whole[$2 " " $3] = 1
     if ($1 == file && NF == 4) unused[$2 " " $3 " " $4] = 1
@@ -27,7 +29,8 @@ $1 == "goal" {
 !dropped && !without { print }
 /^end/ { without = 0 }
 END {
-    for (name in whole) { sub(/.* /, "", name); if (!(name in found)) { print "prune.awk: no module " name " in " file > "/dev/stderr"; missing = 1 } }
-    for (name in unused) if (!(name in found)) { print "prune.awk: no " name " in " file > "/dev/stderr"; missing = 1 }
-    exit missing
+    for (name in whole) if (!(substr(name, 8) in found)) missing = missing " " name ","
+    for (name in unused) if (!(name in found)) missing = missing " " name ","
+    if (missing != "") print "prune.awk: in " file " there is no" missing " which " ARGV[1] " names" > "/dev/stderr"
+    exit missing != ""
 }
