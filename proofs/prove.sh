@@ -155,13 +155,14 @@ eva() {
 # A piece with what it says in a file.
 apart() { { "$1"; echo 'to the end'; } > "$build/$1.out" 2>&1; }
 
-# Coq and Eva beside the units.
-beside() {
+# Coq and Eva, at once.
+others() {
     for piece; do
         case $piece in coq | eva) ;; *) continue ;; esac
         [ -n "$quick" ] && unchanged "$piece" && continue
         apart "$piece" &
     done
+    wait
 }
 
 # What such a piece said, when it is done.
@@ -218,9 +219,8 @@ if [ -n "$changed" ]; then
     exit 0
 fi
 [ $# -gt 0 ] || set -- $units quote tie constants gappa coq eva
-beside "$@"
+others "$@"
 units "$@"
-wait
 for piece; do
     case $piece in
     quote) script quote sh proofs/coq/quote.sh ;;
